@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Numbers sampled at every time step, as a table that knows its titles and units.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace birdstrike {
+
+struct HistoryColumn
+{
+  std::string name; //!< lower_snake_case, for example max_pressure_torso
+  std::string unit; //!< SI, "-" when it has none
+};
+
+//! Row-major table; column 0 is the time [s].
+struct History
+{
+  std::vector<HistoryColumn> columns;
+  std::vector<double> values; //!< rows() x columns.size()
+
+  std::size_t rows() const { return columns.empty() ? 0 : values.size() / columns.size(); }
+  double at(std::size_t row, std::size_t column) const { return values[row * columns.size() + column]; }
+  //! Column of that name, or columns.size() if there is none.
+  std::size_t find(const std::string& name) const;
+};
+
+} // namespace birdstrike

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The one loop over time: bird particles against a target.
+#pragma once
+
+#include "core/contact/rigid_plate.h"
+#include "core/gauges/history.h"
+#include "core/gauges/ledger.h"
+#include "core/particles/particles.h"
+#include "core/settings.h"
+#include "core/time_step.h"
+
+#include <memory>
+#include <optional>
+
+namespace birdstrike {
+
+class Simulation;
+
+//! What wants to know how a run goes on. Both are called between steps, when all state is consistent.
+struct Observer
+{
+  virtual ~Observer() = default;
+  virtual void on_step(const Simulation&) {}  //!< after every step
+  virtual void on_frame(const Simulation&) {} //!< at t = 0 and at every frame time, the end included
+};
+
+//! Seconds spent in the parts of a run.
+struct Shares
+{
+  double particles = 0, contact = 0, gauges = 0, writing = 0, total = 0; //!< wall time [s]
+};
+
+class Simulation
+{
+public:
+  //! \throw InputError if the settings are out of range, or a particle starts behind or inside the plate
+  Simulation(Particles particles, std::optional<RigidPlate> plate, const Settings& settings);
+  ~Simulation();
+  Simulation(Simulation&&) noexcept;
+
+  //! Integrate to settings.end_time. The same input gives the same bits with any number of threads.
+  //! \throw RunError naming particle, place and time if a value is no longer finite or the time step vanishes
+  void run(Observer& observer);
+
+  const Settings& settings() const;
+  const Particles& particles() const; //!< rows in the order of the moment; particles().id tells which is which
+  const RigidPlate* plate() const;    //!< null without a target
+  const History& history() const;     //!< one row per step, and one at t = 0; columns in gauges/history_columns
+  const Ledger& ledger() const;       //!< mass, momentum, energy; now and at the start
+  const Shares& shares() const;
+
+  double time() const;               //!< [s]
+  const TimeStep& time_step() const; //!< the last one, and what limited it
+  long steps() const;
+  long list_rebuilds() const;
+  double mean_neighbours() const;       //!< within 2h at the last rebuild, the particle itself not counted
+  std::optional<double> first_contact() const; //!< time at which the plate first felt a force [s]
+
+private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+} // namespace birdstrike

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Small types that every folder shares. All quantities are in SI units.
+//
+// Axes: the bird flies towards +x, +z is up, +y completes the right-handed frame (the bird's left is +y).
+#pragma once
+
+#include <Eigen/Core>
+
+namespace birdstrike {
+
+using Vector3 = Eigen::Vector3d;
+
+} // namespace birdstrike
