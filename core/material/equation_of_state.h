@@ -14,14 +14,17 @@ namespace birdstrike {
 
 //! Every law has
 //!   double reference_density() const;                      // p = 0 there [kg/m3]
-//!   double pressure(double density) const;                 // compression positive, may be negative in tension [Pa]
-//!   double sound_speed(double density) const;              // sqrt(dp/drho) [m/s]
+//!   LawPoint at(double density) const;                     // pressure [Pa] and sound speed [m/s]
 //!   std::string describe() const;                          // one line for logs: name, constants, source
 using EquationOfState = std::variant<CubicPolynomial, Linear, Murnaghan, Tabulated>;
 
 inline double reference_density(const EquationOfState& eos)
 {
   return std::visit([](const auto& law) { return law.reference_density(); }, eos);
+}
+inline LawPoint evaluate(const EquationOfState& eos, double density)
+{
+  return std::visit([density](const auto& law) { return law.at(density); }, eos);
 }
 inline std::string describe(const EquationOfState& eos)
 {

@@ -24,6 +24,8 @@ struct Part
 struct Particles
 {
   std::vector<Part> parts;
+  double spacing = 0;          //!< of the lattice that the particles started on [m]
+  double initial_smoothing = 0; //!< h at the reference density [m]
 
   std::vector<double> x, y, z;          //!< position [m]
   std::vector<double> vx, vy, vz;       //!< velocity [m/s]

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/gauges/bird_history.h"
+
+#include "core/parallel.h"
+
+#include <limits>
+
+namespace birdstrike {
+
+History make_bird_history(const Particles& particles)
+{
+  History history;
+  history.columns = {{"time", "s"}, {"time_step", "s"}, {"max_pressure_all", "Pa"}};
+  for (const Part& part : particles.parts)
+    history.columns.push_back({"max_pressure_" + part.name, "Pa"});
+  for (const char* axis : {"x", "y", "z"})
+    history.columns.push_back({std::string("contact_force_") + axis, "N"});
+  for (const char* axis : {"x", "y", "z"})
+    history.columns.push_back({std::string("impulse_") + axis, "N s"});
+  history.columns.insert(history.columns.end(), {{"max_contact_pressure", "Pa"},
+                                                 {"kinetic_energy", "J"},
+                                                 {"internal_energy", "J"},
+                                                 {"viscous_energy", "J"},
+                                                 {"energy_balance_error", "-"}});
+  return history;
+}
+
+void record(History& history, const Particles& p, const Ledger& ledger, double time, double time_step,
+            double max_contact_pressure)
+{
+  using Maxima = std::vector<double>;
+  const Maxima none(p.parts.size(), -std::numeric_limits<double>::infinity());
+  const Maxima of_part = ordered_reduce(
+      p.size(), none, [&p](Maxima& m, std::size_t i) { m[p.part[i]] = std::max(m[p.part[i]], p.pressure[i]); },
+      [](Maxima& a, const Maxima& b) {
+        for (std::size_t k = 0; k < a.size(); ++k)
+          a[k] = std::max(a[k], b[k]);
+      });
+
+  std::vector<double>& v = history.values;
+  v.insert(v.end(), {time, time_step, *std::max_element(of_part.begin(), of_part.end())});
+  v.insert(v.end(), of_part.begin(), of_part.end());
+  for (int k = 0; k < 3; ++k)
+    v.push_back(ledger.contact_force[k]);
+  for (int k = 0; k < 3; ++k)
+    v.push_back(ledger.impulse[k]);
+  v.insert(v.end(), {max_contact_pressure, ledger.kinetic, ledger.internal, ledger.viscous, ledger.balance_error()});
+}
+
+} // namespace birdstrike

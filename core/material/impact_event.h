@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The impact-event law of section 6.3 and the two curves that it joins.
+#pragma once
+
+#include "core/material/cubic_polynomial.h"
+#include "core/material/tabulated.h"
+
+namespace birdstrike {
+
+//! End of the tables [Pa]: above any pressure that a bird can reach below 500 m/s.
+inline constexpr double porous_table_end = 2e9;
+//! Section 6.3: isentrope below, shock curve above [Pa].
+inline constexpr double impact_event_join = 40e6;
+
+//! Isentropic below 40 MPa, shock above (6.3), as a table.
+//!
+//! At one density the shock curve lies above the isentrope, because the air is hotter. So there is an interval of
+//! compressions, from where the shock curve passes 40 MPa to where the isentrope does, in which section 6.3 names
+//! both curves; at a fixed density in it a jump would be infinitely stiff. There the pressure goes over from one
+//! curve to the other with a smoothstep in density, p = p_s + w (p_H - p_s). As p_H >= p_s and both rise, so does
+//! their join, whatever the porosity. Without air both curves are one.
+//! \param z    volume share of air [-]
+//! \param rho0 reference density [kg/m3]
+Tabulated impact_event(double z, double rho0);
+
+//! The shock curve 6.20 at every pressure.
+Tabulated shock_law(double z, double rho0);
+
+//! The isentrope 6.23 at every pressure.
+Tabulated isentropic_law(double z, double rho0);
+
+struct CubicFit
+{
+  CubicPolynomial law;
+  double rms_error;     //!< root mean square of the misfit to impact_event over the fitted range [Pa]
+  double largest_error; //!< [Pa]
+  double range;         //!< pressure up to which the fit was made [Pa]
+};
+
+//! The third-degree polynomial of section 6.3: least squares to impact_event over 0 <= p <= \p range at equal
+//! steps of density, under the condition that dp/drho > 0 throughout. The dissertation does not print its
+//! coefficients or its range; 200 MPa covers the Hugoniot pressures of z >= 0.15 up to 200 m/s.
+CubicFit impact_event_cubic(double z, double rho0, double range = 200e6);
+
+} // namespace birdstrike

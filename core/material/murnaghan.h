@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Murnaghan's law.
+#pragma once
+
+#include "core/error.h"
+#include "core/material/law_point.h"
+
+#include <cmath>
+#include <string>
+
+namespace birdstrike {
+
+//! p = B [(rho/rho0)^g - 1]; also known as Tait's. Water by the dissertation's 6.9, 6.10 is B = rho0 c0^2 / (4k - 1),
+//! g = 4k - 1. Valid for rho > 0; source: F. D. Murnaghan, PNAS 30 (1944) 244.
+struct Murnaghan
+{
+  double rho0; //!< reference density [kg/m3]
+  double B;    //!< [Pa]
+  double g;    //!< [-]
+
+  void check() const
+  {
+    require(rho0 > 0 && B > 0 && g >= 1, "Murnaghan equation of state: need density > 0, B > 0 and exponent >= 1");
+  }
+  double reference_density() const { return rho0; }
+  LawPoint at(double rho) const
+  {
+    const double power = std::pow(rho / rho0, g);
+    return {B * (power - 1), std::sqrt(B * g * power / rho)};
+  }
+  std::string describe() const
+  {
+    return "Murnaghan, B = " + std::to_string(B / 1e6) + " MPa, exponent " + std::to_string(g);
+  }
+};
+
+} // namespace birdstrike

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Who acts on whom: particles sorted along pencils of space, clusters of eight, one list of partners a cluster.
+#pragma once
+
+#include "core/particles/pair_kernels.h"
+#include "core/particles/particles.h"
+
+#include <vector>
+
+namespace birdstrike {
+
+//! Particles are sorted into square pencils along x (two spacings wide, ordered by y, then z) and along x within a
+//! pencil, so that eight consecutive ones are close to each other. The list holds every pair within
+//! h_i + h_j + skin and is used again until motion could have brought a pair in from outside: that is measured
+//! against the bird's mean motion, so free flight costs no rebuild.
+class Neighbours
+{
+public:
+  //! \param skin    extra reach of the list [m]
+  //! \param period  lengths after which space repeats; 0 for none [m]
+  Neighbours(double skin, Period period) : skin_(skin), period_(period) {}
+
+  //! Could a pair that is not in the list interact by now?
+  bool is_stale(const Particles& particles) const;
+
+  //! The order that sorts the particles: new row k holds old row order[k].
+  //! \throw RunError if a position is not finite
+  const std::vector<std::int32_t>& sort(const Particles& particles);
+
+  //! The lists; \p particles must have been put in the order of sort().
+  void build(const Particles& particles);
+
+  const std::vector<Cluster>& clusters() const { return clusters_; }
+  const std::vector<std::int32_t>& partners() const { return partners_; }
+  long rebuilds() const { return rebuilds_; }
+  double mean_neighbours() const { return mean_neighbours_; } //!< closer than h_i + h_j at the last build
+
+private:
+  double skin_;
+  Period period_;
+
+  // Pencil (iy, iz) holds rows [pencil_begin_[k], pencil_begin_[k + 1]) with k = iz * pencils_y_ + iy.
+  double width_y_ = 0, width_z_ = 0, origin_y_ = 0, origin_z_ = 0; // [m]
+  int pencils_y_ = 0, pencils_z_ = 0;
+  std::vector<std::int32_t> pencil_begin_, pencil_of_, order_;
+
+  std::vector<Cluster> clusters_;
+  std::vector<std::int32_t> partners_;
+  std::vector<double> x_, y_, z_, h_; // when the lists were built, padded by the lanes of a cluster
+  long rebuilds_ = 0;
+  double mean_neighbours_ = 0;
+
+  int pencil_at(double value, double origin, double width, int count) const;
+  void search(Cluster& cluster, double longest_h, std::vector<std::int32_t>& found, std::int64_t& neighbours) const;
+};
+
+//! Put all arrays of the particles in a new order: row k becomes what row order[k] was.
+void reorder(Particles& particles, const std::vector<std::int32_t>& order);
+
+//! The same for one array.
+template <class T>
+void reorder(std::vector<T>& array, const std::vector<std::int32_t>& order, std::vector<T>& scratch)
+{
+  scratch.resize(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k)
+    scratch[k] = array[static_cast<std::size_t>(order[k])];
+  array.swap(scratch);
+}
+
+} // namespace birdstrike

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Compiled once for each instruction set: BIRDSTRIKE_ISA_NAME is plain, avx2 or avx512. All but the table at the
+// end has internal linkage, so that no build can borrow another's instructions.
+#include "core/particles/pair_kernels.h"
+#include "core/simd.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace birdstrike {
+namespace {
+
+//! One partner, broadcast to all lanes, or as many particles of a cluster as there are lanes.
+template <class Number>
+struct Side
+{
+  Number x, y, z, vx, vy, vz, h, weight, stress, sound_speed, density, limiter;
+};
+
+[[gnu::always_inline]] inline Side<Pack> load_side(const PairInput& in, int row)
+{
+  return {load(in.x + row),      load(in.y + row),      load(in.z + row),
+          load(in.vx + row),     load(in.vy + row),     load(in.vz + row),
+          load(in.h + row),      load(in.weight + row), load(in.stress + row),
+          load(in.sound_speed + row), load(in.density + row), load(in.limiter + row)};
+}
+
+struct Sums
+{
+  Pack fx{}, fy{}, fz{}, gradient[9]{}, heating{}, mu{}, wall{};
+};
+
+//! Add what partner j does to the lanes i. dx ... are x_i - x_j, vx ... v_i - v_j. A lane whose support does not
+//! reach j, or that is j itself, gets exactly nothing.
+//! \param open  1 where the pair may act, 0 where something stands between
+template <bool mirrored>
+[[gnu::always_inline]] inline void add_pair(Sums& sum, const Side<Pack>& i, Pack dx, Pack dy, Pack dz, Pack vx,
+                                            Pack vy, Pack vz, double h_j, double weight_j, double stress_j,
+                                            double sound_speed_j, double density_j, double limiter_j,
+                                            const PairSettings& s, [[maybe_unused]] Pack open)
+{
+  const Pack zero{};
+  const Pack h = 0.5 * (i.h + h_j);
+  const Pack r2 = dx * dx + dy * dy + dz * dz;
+  const Pack softened = r2 + 0.01 * h * h; // keeps mu finite (Monaghan 1992)
+  const Pack r = max(sqrt(r2), 1e-9 * h);
+  // 1/h, 1/r and 1/softened from one division.
+  const Pack inverse = 1.0 / (h * r * softened);
+  const Pack inverse_h = inverse * r * softened, inverse_r = inverse * h * softened, inverse_soft = inverse * h * r;
+
+  // (1/r) dW/dr of 4.13 in truncated powers: -3/4 [(2-q)^2 - 4 (1-q)^2] / (pi h^4 r)
+  const Pack q = r * inverse_h;
+  const Pack a = max(2.0 - q, zero), b = max(1.0 - q, zero);
+  const Pack inverse_h2 = inverse_h * inverse_h;
+  Pack slope = (a * a - 4.0 * b * b) * inverse_h2 * inverse_h2 * inverse_r * (-0.75 / std::numbers::pi);
+  if constexpr (mirrored)
+    slope *= open;
+
+  const Pack approach = min(dx * vx + dy * vy + dz * vz, zero);
+  const Pack mu = approach * h * inverse_soft;
+  const Pack viscosity = 0.25 * (i.density + density_j) * (i.limiter + limiter_j) * mu *
+                         (s.beta * mu - (0.5 * s.alpha) * (i.sound_speed + sound_speed_j));
+
+  const Pack k = weight_j * slope;
+  const Pack push = -k * (i.stress + stress_j + viscosity);
+  sum.fx += push * dx;
+  sum.fy += push * dy;
+  sum.fz += push * dz;
+  if constexpr (mirrored)
+    sum.wall += push * dx;
+  const Pack gx = k * dx, gy = k * dy, gz = k * dz;
+  sum.gradient[0] -= vx * gx;
+  sum.gradient[1] -= vx * gy;
+  sum.gradient[2] -= vx * gz;
+  sum.gradient[3] -= vy * gx;
+  sum.gradient[4] -= vy * gy;
+  sum.gradient[5] -= vy * gz;
+  sum.gradient[6] -= vz * gx;
+  sum.gradient[7] -= vz * gy;
+  sum.gradient[8] -= vz * gz;
+  sum.heating += (0.5 * k) * viscosity * approach;
+  sum.mu = max(sum.mu, slope < 0.0 ? -mu : zero);
+}
+
+//! Nearest image of a difference in a box that repeats.
+[[gnu::always_inline]] inline Pack nearest_image(Pack d, double length)
+{
+  if (length > 0) {
+    const Pack half = Pack{} + 0.5 * length;
+    d = d > half ? d - length : d;
+    d = d < -half ? d + length : d;
+  }
+  return d;
+}
+
+template <bool periodic>
+Sums sum_direct(const Side<Pack>& i, const std::int32_t* partners, int count, const PairInput& in,
+                const PairSettings& s)
+{
+  Sums sum;
+  for (int n = 0; n < count; ++n) {
+    const int j = partners[n];
+    Pack dy = i.y - in.y[j], dz = i.z - in.z[j];
+    if constexpr (periodic) {
+      dy = nearest_image(dy, s.period.y);
+      dz = nearest_image(dz, s.period.z);
+    }
+    add_pair<false>(sum, i, i.x - in.x[j], dy, dz, i.vx - in.vx[j], i.vy - in.vy[j], i.vz - in.vz[j], in.h[j],
+                    in.weight[j], in.stress[j], in.sound_speed[j], in.density[j], in.limiter[j], s, Pack{});
+  }
+  return sum;
+}
+
+//! The images of the partners behind the plate. An image is never nearer than its original, so the cluster's own
+//! list holds all that can matter. A pair acts where the line from lane to image passes through the plate, which is
+//! the same point for i and the image of j as for j and the image of i: action stays equal to reaction at the rim.
+template <bool periodic>
+void add_images(Sums& sum, const Side<Pack>& i, const std::int32_t* partners, int count, const PairInput& in,
+                const PairSettings& s)
+{
+  const Pack zero{}, one = zero + 1.0;
+  for (int n = 0; n < count; ++n) {
+    const int j = partners[n];
+    if (in.x[j] >= 0)
+      continue;
+    Pack dy = i.y - in.y[j], dz = i.z - in.z[j];
+    if constexpr (periodic) {
+      dy = nearest_image(dy, s.period.y);
+      dz = nearest_image(dz, s.period.z);
+    }
+    const Pack dx = i.x + in.x[j];          // x_i - (-x_j) < 0
+    const Pack share = i.x / min(dx, zero - 1e-300); // of the way to the image
+    const Pack cross_y = i.y - share * dy, cross_z = i.z - share * dz;
+    Pack open = i.x < 0.0 ? one : zero;
+    if constexpr (!periodic) {
+      open = max(cross_y, -cross_y) <= s.plate.half_y ? open : zero;
+      open = max(cross_z, -cross_z) <= s.plate.half_z ? open : zero;
+    }
+    add_pair<true>(sum, i, dx, dy, dz, i.vx + in.vx[j], i.vy - in.vy[j], i.vz - in.vz[j], in.h[j], in.weight[j],
+                   in.stress[j], in.sound_speed[j], in.density[j], in.limiter[j], s, open);
+  }
+}
+
+[[gnu::always_inline]] inline void store(double* to, Pack pack, int count)
+{
+  std::memcpy(to, &pack, static_cast<std::size_t>(count) * sizeof(double));
+}
+
+//! The lanes row ... row + count - 1 of a cluster.
+template <bool periodic>
+void rates_of(const Cluster& cluster, int row, int count, const std::int32_t* all_partners, const PairInput& in, const PairSettings& s,
+              const PairOutput& out)
+{
+  const std::int32_t* partners = all_partners + cluster.first;
+  const Side<Pack> i = load_side(in, row);
+  Sums sum = sum_direct<periodic>(i, partners, cluster.partners, in, s);
+
+  if (s.plate.present) {
+    double nearest = -1e300;
+    for (int l = 0; l < count; ++l)
+      nearest = i.x[l] < 0 && i.x[l] > nearest ? i.x[l] : nearest;
+    if (nearest > -s.plate.reach)
+      add_images<periodic>(sum, i, partners, cluster.partners, in, s);
+  }
+
+  store(out.fx + row, sum.fx, count);
+  store(out.fy + row, sum.fy, count);
+  store(out.fz + row, sum.fz, count);
+  for (int c = 0; c < 9; ++c)
+    store(out.gradient[c] + row, sum.gradient[c], count);
+  store(out.heating + row, sum.heating, count);
+  store(out.mu + row, sum.mu, count);
+  store(out.wall + row, sum.wall, count);
+}
+
+void rates(const Cluster* clusters, int begin, int end, const std::int32_t* partners, const PairInput& in,
+           const PairSettings& settings, const PairOutput& out)
+{
+  const bool periodic = settings.period.y > 0 || settings.period.z > 0;
+  for (int c = begin; c < end; ++c)
+    for (int lane = 0; lane < clusters[c].count; lane += lanes) {
+      const int row = clusters[c].begin + lane, count = std::min(lanes, clusters[c].count - lane);
+      periodic ? rates_of<true>(clusters[c], row, count, partners, in, settings, out)
+               : rates_of<false>(clusters[c], row, count, partners, in, settings, out);
+    }
+}
+
+int search(const Cluster& cluster, int begin, int end, const double* x, const double* y, const double* z,
+           const double* h, double skin, Period period, std::int32_t* found, std::int64_t* neighbours)
+{
+  constexpr int most_packs = cluster_size / lanes;
+  const int packs = (cluster.count + lanes - 1) / lanes;
+  Pack xi[most_packs]{}, yi[most_packs]{}, zi[most_packs]{}, hi[most_packs]{};
+  for (int k = 0; k < packs; ++k) {
+    const int row = cluster.begin + k * lanes;
+    xi[k] = load(x + row), yi[k] = load(y + row), zi[k] = load(z + row), hi[k] = load(h + row);
+    for (int l = 0; l < lanes; ++l)
+      if (k * lanes + l >= cluster.count)
+        hi[k][l] = -1e300; // idle lanes reach nothing
+  }
+  int count = 0;
+  PackMask close{};
+  for (int j = begin; j < end; ++j) {
+    PackMask reached{};
+    for (int k = 0; k < packs; ++k) {
+      const Pack dx = xi[k] - x[j];
+      const Pack dy = nearest_image(yi[k] - y[j], period.y), dz = nearest_image(zi[k] - z[j], period.z);
+      const Pack r2 = dx * dx + dy * dy + dz * dz;
+      const Pack support = max(hi[k] + h[j], Pack{}), reach = support > 0.0 ? support + skin : support;
+      close -= r2 < support * support; // true is -1
+      reached |= r2 < reach * reach;
+    }
+    if (any(reached))
+      found[count++] = j;
+  }
+  for (int l = 0; l < lanes; ++l)
+    *neighbours += close[l];
+  return count;
+}
+
+#define BIRDSTRIKE_TEXT(name) #name
+#define BIRDSTRIKE_STRING(name) BIRDSTRIKE_TEXT(name)
+#define BIRDSTRIKE_JOIN(a, b) a##b
+#define BIRDSTRIKE_TABLE(name) BIRDSTRIKE_JOIN(pair_kernels_, name)
+
+} // namespace
+
+extern const PairKernels BIRDSTRIKE_TABLE(BIRDSTRIKE_ISA_NAME);
+const PairKernels BIRDSTRIKE_TABLE(BIRDSTRIKE_ISA_NAME){BIRDSTRIKE_STRING(BIRDSTRIKE_ISA_NAME), rates, search};
+
+} // namespace birdstrike

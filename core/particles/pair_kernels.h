@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The two loops over pairs of particles that cost nearly all the time, as plain functions over plain arrays.
+// They are compiled once for each instruction set (pair_kernels.cpp); pair_kernels() picks at run time.
+//
+// Particles come in clusters of eight neighbours in space; a cluster has one list of partners for all its lanes.
+// So the partner is broadcast and the eight lanes are loaded side by side: no gathers, no horizontal sums, and
+// each particle's sum has one fixed order whatever the number of threads.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace birdstrike {
+
+constexpr int cluster_size = 8; // rows; the lanes of AVX-512 in double precision
+
+//! Up to cluster_size consecutive rows.
+struct Cluster
+{
+  std::int32_t begin; //!< first row
+  std::int32_t count; //!< 1 ... cluster_size rows in use
+  std::int64_t first; //!< of its partners
+  std::int32_t partners;
+};
+
+//! Periodic lengths along y and z; 0 where the box does not repeat [m].
+struct Period
+{
+  double y = 0, z = 0;
+};
+
+//! What the rates of one particle need of another; N + 8 entries each, the last eight only read by idle lanes.
+struct PairInput
+{
+  const double *x, *y, *z, *vx, *vy, *vz; //!< [m], [m/s]
+  const double* h;                        //!< smoothing length [m]
+  const double* weight;                   //!< V = m / rho, the volume in 4.5 [m3]
+  const double* stress;                   //!< p + q [Pa]
+  const double* sound_speed;              //!< [m/s]
+  const double* density;                  //!< [kg/m3]
+  const double* limiter;                  //!< factor of the pair viscosity [-]
+};
+
+//! Sums over partners, N + 8 entries each.
+struct PairOutput
+{
+  double *fx, *fy, *fz;    //!< force density: - sum V_j (stress_i + stress_j + Q_ij) grad_i W_ij [N/m3]
+  double* gradient[9];     //!< velocity gradient, row-major: sum V_j (v_j - v_i) (x) grad_i W_ij [1/s]
+  double* heating;         //!< viscous power density [W/m3]
+  double* mu;              //!< largest approach speed |mu_ij| [m/s]
+  double* wall;            //!< x component of the force density that came from mirror images [N/m3]
+};
+
+//! A rigid plate in x = 0, |y| <= half_y, |z| <= half_z, that mirrors what stands in front of it (x < 0).
+struct MirrorPlate
+{
+  double half_y = 0, half_z = 0; //!< [m]
+  double reach = 0;              //!< twice the largest smoothing length: no image acts further away [m]
+  bool present = false;
+};
+
+struct PairSettings
+{
+  double alpha = 0, beta = 0; //!< pair viscosity [-]
+  Period period;
+  MirrorPlate plate;
+};
+
+struct PairKernels
+{
+  const char* name; //!< instruction set
+
+  //! Rates of the particles of clusters [begin, end).
+  void (*rates)(const Cluster* clusters, int begin, int end, const std::int32_t* partners, const PairInput& in,
+                const PairSettings& settings, const PairOutput& out);
+
+  //! Of the candidate rows [begin, end): those within h_i + h_j + skin of any lane are appended to \p found.
+  //! \return rows appended; \p neighbours grows by the pairs closer than h_i + h_j
+  int (*search)(const Cluster& cluster, int begin, int end, const double* x, const double* y, const double* z,
+                const double* h, double skin, Period period, std::int32_t* found, std::int64_t* neighbours);
+};
+
+//! Builds that this processor can run, the fastest first.
+const std::vector<const PairKernels*>& available_pair_kernels();
+
+//! The fastest; BIRDSTRIKE_ISA=plain|avx2|avx512 in the environment asks for another.
+//! \throw InputError if that one is not available
+const PairKernels& pair_kernels();
+
+} // namespace birdstrike

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/particles/sph_rates.h"
+
+#include "core/parallel.h"
+#include "core/particles/artificial_viscosity.h"
+#include "core/particles/smoothing_length.h"
+
+namespace birdstrike {
+
+namespace {
+constexpr std::size_t padding = cluster_size; // lanes of a cluster that may reach past the last row
+constexpr int clusters_at_once = 16; // for one thread: enough to hide the cost of handing out work
+} // namespace
+
+void Rates::resize(std::size_t count)
+{
+  for (auto* array : {&ax, &ay, &az, &density, &energy, &viscous, &wall_force, &divergence, &approach})
+    array->assign(count, 0.0);
+  limiter.assign(count, 1.0);
+}
+
+void Rates::reorder(const std::vector<std::int32_t>& order)
+{
+  std::vector<double> scratch;
+  for (auto* array :
+       {&ax, &ay, &az, &density, &energy, &viscous, &wall_force, &divergence, &approach, &limiter})
+    birdstrike::reorder(*array, order, scratch);
+}
+
+SphRates::SphRates(const Settings& settings, const RigidPlate* plate, const PairKernels& kernels)
+    : kernels_(kernels), settings_(settings)
+{
+  if (settings.viscosity.kind == ViscosityKind::pairwise) {
+    pair_settings_.alpha = settings.viscosity.linear;
+    pair_settings_.beta = settings.viscosity.quadratic;
+  }
+  if (settings.periodic)
+    pair_settings_.period = {settings.periodic->size_y, settings.periodic->size_z};
+  if (plate)
+    pair_settings_.plate = {0.5 * plate->size_y, 0.5 * plate->size_z, 0, true};
+}
+
+void SphRates::prepare(Particles& p, const std::vector<double>& vx, const std::vector<double>& vy,
+                       const std::vector<double>& vz, const std::vector<double>& density, const Rates& rates)
+{
+  const std::size_t n = p.size(), size = n + padding;
+  if (x_.size() != size) {
+    for (auto* array : {&x_, &y_, &z_, &vx_, &vy_, &vz_, &h_, &weight_, &stress_, &sound_speed_, &density_,
+                        &limiter_, &fx_, &fy_, &fz_, &heating_, &mu_, &wall_})
+      array->assign(size, 0.0);
+    for (auto& array : gradient_)
+      array.assign(size, 0.0);
+    std::fill(h_.begin(), h_.end(), 1.0);
+  }
+  const Viscosity& viscosity = settings_.viscosity;
+  const bool bulk = viscosity.kind == ViscosityKind::bulk;
+  const double h0 = p.initial_smoothing;
+  for_each_row(n, [&](std::size_t i) {
+    const EquationOfState& eos = p.parts[p.part[i]].eos;
+    const LawPoint point = birdstrike::evaluate(eos, density[i]);
+    p.pressure[i] = std::max(point.pressure, settings_.tension_cutoff);
+    p.sound_speed[i] = point.sound_speed;
+    p.smoothing_length[i] = smoothing_length(h0, reference_density(eos), density[i], settings_.smoothing_shrink,
+                                             settings_.smoothing_growth);
+    x_[i] = p.x[i], y_[i] = p.y[i], z_[i] = p.z[i];
+    vx_[i] = vx[i], vy_[i] = vy[i], vz_[i] = vz[i];
+    h_[i] = p.smoothing_length[i];
+    density_[i] = density[i];
+    sound_speed_[i] = point.sound_speed;
+    weight_[i] = p.mass[i] / density[i];
+    // q of 5.58 uses the rate of compression at the end of the step before.
+    const double q = bulk ? bulk_viscosity(density[i], point.sound_speed, rates.divergence[i], std::cbrt(weight_[i]),
+                                           viscosity.linear, viscosity.quadratic)
+                          : 0;
+    stress_[i] = p.pressure[i] + q;
+    limiter_[i] = viscosity.shear_switch ? rates.limiter[i] : 1;
+  });
+  pair_settings_.plate.reach = 2 * ordered_reduce(
+      n, 0.0, [&](double& most, std::size_t i) { most = std::max(most, h_[i]); },
+      [](double& a, double b) { a = std::max(a, b); });
+}
+
+void SphRates::finish(const Particles& p, Rates& r)
+{
+  const bool bulk = settings_.viscosity.kind == ViscosityKind::bulk;
+  for_each_row(p.size(), [&](std::size_t i) {
+    std::array<double, 9> gradient;
+    for (std::size_t c = 0; c < 9; ++c)
+      gradient[c] = gradient_[c][i];
+    const double divergence = gradient[0] + gradient[4] + gradient[8];
+    const double inverse_density = 1 / density_[i];
+    r.ax[i] = fx_[i] * inverse_density;
+    r.ay[i] = fy_[i] * inverse_density;
+    r.az[i] = fz_[i] * inverse_density;
+    r.wall_force[i] = wall_[i] * weight_[i];
+    r.divergence[i] = divergence;
+    r.density[i] = -density_[i] * divergence;
+    r.viscous[i] = (heating_[i] - (stress_[i] - p.pressure[i]) * divergence) * inverse_density;
+    r.energy[i] = r.viscous[i] - p.pressure[i] * divergence * inverse_density;
+    r.approach[i] = bulk ? std::cbrt(weight_[i]) * std::abs(divergence) : mu_[i];
+    r.limiter[i] = shear_switch(gradient);
+  });
+}
+
+void SphRates::evaluate(Particles& p, const std::vector<double>& vx, const std::vector<double>& vy,
+                        const std::vector<double>& vz, const std::vector<double>& density,
+                        const Neighbours& neighbours, Rates& rates)
+{
+  prepare(p, vx, vy, vz, density, rates);
+
+  const PairInput in{x_.data(),  y_.data(),      z_.data(),      vx_.data(),          vy_.data(),      vz_.data(),
+                     h_.data(),  weight_.data(), stress_.data(), sound_speed_.data(), density_.data(), limiter_.data()};
+  PairOutput out{fx_.data(), fy_.data(), fz_.data(), {}, heating_.data(), mu_.data(), wall_.data()};
+  for (std::size_t c = 0; c < 9; ++c)
+    out.gradient[c] = gradient_[c].data();
+  const Cluster* clusters = neighbours.clusters().data();
+  const std::int32_t* partners = neighbours.partners().data();
+  const int count = static_cast<int>(neighbours.clusters().size());
+#pragma omp parallel for schedule(dynamic, 1)
+  for (int first = 0; first < count; first += clusters_at_once)
+    kernels_.rates(clusters, first, std::min(count, first + clusters_at_once), partners, in, pair_settings_, out);
+
+  finish(p, rates);
+}
+
+} // namespace birdstrike

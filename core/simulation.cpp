@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The explicit cycle of section 5.3 and figure 3.2. Velocities, density and energy are taken to the middle of the
+// step with the rates at its start, positions to its end with the velocities in the middle (5.13, 5.14), and the
+// rest of the way with the rates at the end, which are found once a step from a trial state carried there.
+#include "core/simulation.h"
+
+#include "core/contact/mirror_contact.h"
+#include "core/error.h"
+#include "core/gauges/bird_history.h"
+#include "core/parallel.h"
+
+#include <chrono>
+
+#include <omp.h>
+
+namespace birdstrike {
+
+namespace {
+
+constexpr double skin_over_h = 0.32; // list reach beyond the support; 0.4 spacings, the best of 0.2 ... 0.8
+
+double wall_clock()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+//! Adds the time it lives to one of the shares.
+struct Stopwatch
+{
+  double& share;
+  double start = wall_clock();
+  ~Stopwatch() { share += wall_clock() - start; }
+};
+
+void check(const Settings& s, const Particles& p, const RigidPlate* plate)
+{
+  require(s.end_time > 0, "run.end must be positive");
+  require(s.frames > 0, "run.frames must be at least 1");
+  require(s.courant > 0 && s.courant <= 1, "run.courant must lie above 0 and not above 1");
+  require(s.viscosity.linear >= 0 && s.viscosity.quadratic >= 0, "viscosity coefficients must not be negative");
+  require(s.tension_cutoff <= 0, "run.tension_cutoff is the lowest pressure and must not be positive");
+  require(s.smoothing_shrink > 0 && s.smoothing_shrink <= 1 && s.smoothing_growth >= 1,
+          "smoothing bounds must enclose 1");
+  if (s.periodic) {
+    const double least = 4 * p.initial_smoothing * s.smoothing_growth * (1 + 0.5 * skin_over_h);
+    require(s.periodic->size_y >= least && s.periodic->size_z >= least,
+            "the periodic box must be at least " + std::to_string(least) + " m wide, twice the reach of a particle");
+  }
+  if (!plate)
+    return;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    require(p.x[i] < 0, "particle " + std::to_string(p.id[i]) + " (part " + p.parts[p.part[i]].name +
+                            ") starts at x = " + std::to_string(p.x[i]) +
+                            " m, behind the plate's face at x = 0; increase bird.gap");
+}
+
+} // namespace
+
+struct Simulation::State
+{
+  Settings settings;
+  Particles particles;
+  std::optional<RigidPlate> plate;
+
+  Rates rates;
+  SphRates sph;
+  Neighbours neighbours;
+  std::vector<double> trial_vx, trial_vy, trial_vz, trial_density;
+
+  History history;
+  Ledger ledger;
+  Shares shares;
+  double time = 0;
+  TimeStep step;
+  long steps = 0;
+  std::optional<double> first_contact;
+
+  State(Particles p, std::optional<RigidPlate> target, const Settings& s)
+      : settings(s), particles(std::move(p)), plate(std::move(target)), sph(s, plate ? &*plate : nullptr),
+        neighbours(skin_over_h * particles.initial_smoothing,
+                   s.periodic ? Period{s.periodic->size_y, s.periodic->size_z} : Period{})
+  {
+  }
+
+  RigidPlate* target() { return plate ? &*plate : nullptr; }
+
+  void start();
+  void advance(double dt);
+  void kick(double dt);
+  void predict(double dt);
+  void refresh_neighbours();
+  void evaluate_rates();
+  void book();
+};
+
+void Simulation::State::start()
+{
+  rates.resize(particles.size());
+  for (auto* array : {&trial_vx, &trial_vy, &trial_vz, &trial_density})
+    array->resize(particles.size());
+  ledger.mass = total_mass(particles);
+  ledger.initial_momentum = total_momentum(particles);
+  ledger.initial_energy = kinetic_energy(particles) + internal_energy(particles);
+  history = make_bird_history(particles);
+  refresh_neighbours();
+  predict(0);
+  evaluate_rates();
+  book();
+}
+
+void Simulation::State::advance(double dt)
+{
+  kick(0.5 * dt);
+  {
+    const Stopwatch watch{shares.contact};
+    ledger.impulse += drift(particles, target(), dt);
+  }
+  refresh_neighbours();
+  predict(0.5 * dt);
+  evaluate_rates();
+  kick(0.5 * dt);
+}
+
+//! Velocity, density, energy and the plate's impulse by the present rates.
+void Simulation::State::kick(double dt)
+{
+  const Stopwatch watch{shares.particles};
+  Particles& p = particles;
+  for_each_row(p.size(), [&](std::size_t i) {
+    p.vx[i] += rates.ax[i] * dt;
+    p.vy[i] += rates.ay[i] * dt;
+    p.vz[i] += rates.az[i] * dt;
+    p.density[i] += rates.density[i] * dt;
+    p.energy[i] += rates.energy[i] * dt;
+  });
+  ledger.viscous += dt * ordered_sum(p.size(), [&](std::size_t i) { return p.mass[i] * rates.viscous[i]; });
+  ledger.impulse += ledger.contact_force * dt;
+  if (plate)
+    book_impulse(*plate, dt);
+}
+
+//! Velocity and density as they will be at the end of the step, to first order: what the rates there need.
+void Simulation::State::predict(double dt)
+{
+  const Stopwatch watch{shares.particles};
+  const Particles& p = particles;
+  for_each_row(p.size(), [&](std::size_t i) {
+    trial_vx[i] = p.vx[i] + rates.ax[i] * dt;
+    trial_vy[i] = p.vy[i] + rates.ay[i] * dt;
+    trial_vz[i] = p.vz[i] + rates.az[i] * dt;
+    trial_density[i] = p.density[i] + rates.density[i] * dt;
+  });
+}
+
+void Simulation::State::refresh_neighbours()
+{
+  const Stopwatch watch{shares.particles};
+  if (!neighbours.is_stale(particles))
+    return;
+  if (settings.periodic) // back into the box
+    for_each_row(particles.size(), [&](std::size_t i) {
+      particles.y[i] -= settings.periodic->size_y * std::round(particles.y[i] / settings.periodic->size_y);
+      particles.z[i] -= settings.periodic->size_z * std::round(particles.z[i] / settings.periodic->size_z);
+    });
+  const std::vector<std::int32_t>& order = neighbours.sort(particles);
+  reorder(particles, order);
+  rates.reorder(order);
+  neighbours.build(particles);
+}
+
+void Simulation::State::evaluate_rates()
+{
+  {
+    const Stopwatch watch{shares.particles};
+    sph.evaluate(particles, trial_vx, trial_vy, trial_vz, trial_density, neighbours, rates);
+  }
+  if (plate) {
+    const Stopwatch watch{shares.contact};
+    ledger.contact_force = collect_contact_force(particles, rates, *plate);
+    if (!first_contact && ledger.contact_force[0] > 0)
+      first_contact = time;
+  }
+}
+
+void Simulation::State::book()
+{
+  const Stopwatch watch{shares.gauges};
+  ledger.momentum = total_momentum(particles);
+  ledger.kinetic = kinetic_energy(particles);
+  ledger.internal = internal_energy(particles);
+  double highest = 0;
+  if (plate)
+    for (const Vector3& force : plate->force)
+      highest = std::max(highest, force[0] / plate->element_area());
+  record(history, particles, ledger, time, step.size, highest);
+}
+
+Simulation::Simulation(Particles particles, std::optional<RigidPlate> plate, const Settings& settings)
+{
+  check(settings, particles, plate ? &*plate : nullptr);
+  state_ = std::make_unique<State>(std::move(particles), std::move(plate), settings);
+}
+
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+
+void Simulation::run(Observer& observer)
+{
+  State& s = *state_;
+  const Stopwatch watch{s.shares.total};
+  const int threads = s.settings.threads > 0 ? s.settings.threads : omp_get_num_procs();
+  omp_set_num_threads(threads);
+  const auto hand_out_frame = [&] {
+    const Stopwatch writing{s.shares.writing};
+    observer.on_frame(*this);
+  };
+
+  s.start();
+  hand_out_frame();
+  for (int frame = 1; frame <= s.settings.frames; ++frame) {
+    const double frame_time = s.settings.end_time * frame / s.settings.frames;
+    while (s.time < frame_time) {
+      const TimeStep stable = stable_time_step(s.particles, s.rates, s.settings, s.step, s.time);
+      s.step = fit_to_frame(stable, frame_time - s.time);
+      s.time = s.step.size >= frame_time - s.time ? frame_time : s.time + s.step.size;
+      s.advance(s.step.size);
+      ++s.steps;
+      s.book();
+      observer.on_step(*this);
+    }
+    hand_out_frame();
+  }
+}
+
+const Settings& Simulation::settings() const { return state_->settings; }
+const Particles& Simulation::particles() const { return state_->particles; }
+const RigidPlate* Simulation::plate() const { return state_->target(); }
+const History& Simulation::history() const { return state_->history; }
+const Ledger& Simulation::ledger() const { return state_->ledger; }
+const Shares& Simulation::shares() const { return state_->shares; }
+double Simulation::time() const { return state_->time; }
+const TimeStep& Simulation::time_step() const { return state_->step; }
+long Simulation::steps() const { return state_->steps; }
+long Simulation::list_rebuilds() const { return state_->neighbours.rebuilds(); }
+double Simulation::mean_neighbours() const { return state_->neighbours.mean_neighbours(); }
+std::optional<double> Simulation::first_contact() const { return state_->first_contact; }
+
+} // namespace birdstrike

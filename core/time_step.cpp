@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/time_step.h"
+
+#include "core/error.h"
+#include "core/parallel.h"
+
+#include <array>
+#include <cstdio>
+
+namespace birdstrike {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> limits{"sound", "acceleration", "compression", "flight"};
+constexpr double largest_growth = 1.2;      // of the step, from one to the next [-]
+constexpr double largest_compression = 0.1; // of the density in one step [-]
+
+struct Candidate
+{
+  std::array<double, 4> size{1e300, 1e300, 1e300, 1e300};
+  std::int32_t broken = -1; // row of the first particle that is not finite
+};
+
+[[noreturn]] void report_broken(const Particles& p, std::size_t i, double time)
+{
+  char text[300];
+  std::snprintf(text, sizeof text,
+                "particle %d (part %s) blew up at t = %.6g s near x = %.4g, y = %.4g, z = %.4g m: density %.4g kg/m3, "
+                "pressure %.4g Pa, speed %.4g m/s; try a smaller run.courant or more viscosity",
+                p.id[i], p.parts[p.part[i]].name.c_str(), time, p.x[i], p.y[i], p.z[i], p.density[i], p.pressure[i],
+                p.velocity(i).norm());
+  throw RunError(text);
+}
+
+} // namespace
+
+TimeStep stable_time_step(const Particles& p, const Rates& r, const Settings& settings, const TimeStep& last,
+                          double time)
+{
+  const double alpha = settings.viscosity.linear, beta = settings.viscosity.quadratic;
+  const Candidate best = ordered_reduce(
+      p.size(), Candidate{},
+      [&](Candidate& c, std::size_t i) {
+        const double h = p.smoothing_length[i], sound = p.sound_speed[i];
+        const double a2 = r.ax[i] * r.ax[i] + r.ay[i] * r.ay[i] + r.az[i] * r.az[i];
+        const double v2 = p.vx[i] * p.vx[i] + p.vy[i] * p.vy[i] + p.vz[i] * p.vz[i];
+        // Positive density and finite everything; a NaN anywhere makes the sum one.
+        const double all = p.x[i] + p.y[i] + p.z[i] + a2 + v2 + sound + r.energy[i] + r.density[i] + p.energy[i];
+        if (c.broken < 0 && !(std::isfinite(all) && p.density[i] > 0))
+          c.broken = static_cast<std::int32_t>(i);
+        c.size[0] = std::min(c.size[0], h / (sound + 0.6 * (alpha * sound + beta * r.approach[i])));
+        c.size[1] = std::min(c.size[1], std::sqrt(h / std::sqrt(a2 + 1e-300)));
+        c.size[2] = std::min(c.size[2], largest_compression / (std::abs(r.divergence[i]) + 1e-300));
+        c.size[3] = std::min(c.size[3], h / std::sqrt(v2 + 1e-300));
+      },
+      [](Candidate& a, const Candidate& b) {
+        for (std::size_t k = 0; k < a.size.size(); ++k)
+          a.size[k] = std::min(a.size[k], b.size[k]);
+        a.broken = a.broken < 0 ? b.broken : a.broken;
+      });
+  if (best.broken >= 0)
+    report_broken(p, static_cast<std::size_t>(best.broken), time);
+
+  TimeStep step{1e300, "sound"};
+  for (std::size_t k = 0; k < limits.size(); ++k) {
+    const double size = limits[k] == "compression" ? best.size[k] : settings.courant * best.size[k];
+    if (size < step.size)
+      step = {size, limits[k]};
+  }
+  if (last.size > 0 && last.limit != "frame" && step.size > largest_growth * last.size)
+    step = {largest_growth * last.size, "growth"};
+  if (!(step.size > 1e-12 * settings.end_time))
+    throw RunError("the time step fell to " + std::to_string(step.size) + " s (limit: " + std::string(step.limit) +
+                   ") at t = " + std::to_string(time) + " s; the run cannot go on");
+  return step;
+}
+
+TimeStep fit_to_frame(const TimeStep& step, double left)
+{
+  if (step.size >= left)
+    return {left, "frame"};
+  // Two even steps rather than a full one and a tiny rest.
+  if (2 * step.size > left)
+    return {0.5 * left, "frame"};
+  return step;
+}
+
+} // namespace birdstrike

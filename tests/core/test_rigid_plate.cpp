@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/contact/rigid_plate.h"
+
+#include "core/contact/mirror_contact.h"
+#include "core/error.h"
+
+#include <catch2/catch.hpp>
+
+using namespace birdstrike;
+
+TEST_CASE("the plate knows the element under a point", "[plate]")
+{
+  const RigidPlate plate = make_rigid_plate(4, 2, 0.1, 4, 2);
+  CHECK(plate.element_at(-1.9, -0.9) == 0);
+  CHECK(plate.element_at(1.9, -0.9) == 3);
+  CHECK(plate.element_at(1.9, 0.9) == 7);
+  CHECK(plate.element_at(2, 1) == 7); // the rim belongs to the plate
+  CHECK(plate.element_at(2.01, 0) == -1);
+  CHECK(plate.element_at(0, -1.01) == -1);
+  CHECK(plate.element_area() == Approx(1));
+}
+
+TEST_CASE("the plate's mesh has its area and faces the bird", "[plate]")
+{
+  const RigidPlate plate = make_rigid_plate(0.6, 0.4, 0.005, 6, 4);
+  const ShellMesh mesh = to_mesh(plate);
+  REQUIRE(mesh.quads.size() == 24);
+  REQUIRE(mesh.points.size() == 35);
+  double area = 0;
+  for (std::size_t e = 0; e < mesh.quads.size(); ++e) {
+    const auto& q = mesh.quads[e];
+    const Vector3 cross = (mesh.points[q[2]] - mesh.points[q[0]]).cross(mesh.points[q[3]] - mesh.points[q[1]]);
+    CHECK(cross[0] < 0); // outward normal -x
+    area += 0.5 * cross.norm();
+    const Vector3 centre = 0.25 * (mesh.points[q[0]] + mesh.points[q[1]] + mesh.points[q[2]] + mesh.points[q[3]]);
+    CHECK(plate.element_at(centre[1], centre[2]) == static_cast<int>(e));
+  }
+  CHECK(area == Approx(0.24));
+}
+
+TEST_CASE("a particle that would come through is thrown back with its energy", "[contact]")
+{
+  Particles p;
+  p.parts = {{"torso", Linear{1000, 2e9}, 0, 0}};
+  p.resize(2);
+  p.id = {0, 1};
+  p.mass = {0.5, 0.5};
+  p.x = {-0.1, -0.1}, p.y = {0, 3}, p.z = {0, 0}; // the second flies past the rim
+  p.vx = {10, 10}, p.vy = {2, 0}, p.vz = {0, 0};
+  RigidPlate plate = make_rigid_plate(1, 1, 0.01, 1, 1);
+  const Vector3 impulse = drift(p, &plate, 0.03);
+  CHECK(p.x[0] == Approx(-0.2));
+  CHECK(p.vx[0] == -10);
+  CHECK(p.vy[0] == 2);
+  CHECK(impulse[0] == Approx(2 * 0.5 * 10));
+  CHECK(plate.impulse[0][0] == Approx(10));
+  CHECK(p.x[1] == Approx(0.2));
+  CHECK(p.vx[1] == 10);
+}
+
+TEST_CASE("a plate without size is refused", "[plate][errors]")
+{
+  CHECK_THROWS_AS(make_rigid_plate(0, 1, 0.1, 1, 1), InputError);
+  CHECK_THROWS_AS(make_rigid_plate(1, 1, 0.1, 0, 1), InputError);
+}

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/simulation.h"
+
+#include "bird_samples.h"
+#include "core/error.h"
+
+#include <catch2/catch.hpp>
+
+#include <cstring>
+
+using namespace birdstrike;
+
+namespace {
+
+struct CountFrames : Observer
+{
+  std::vector<double> times;
+  void on_frame(const Simulation& s) override { times.push_back(s.time()); }
+};
+
+Settings settings_to(double end)
+{
+  Settings s;
+  s.end_time = end;
+  s.frames = 4;
+  return s;
+}
+
+Simulation small_impact(int threads)
+{
+  Settings s = settings_to(4e-5);
+  s.threads = threads;
+  Particles p = samples::block(14, 9, 9, 1.5e-3, 0.1, {150, 0, 0});
+  Simulation simulation(std::move(p), make_rigid_plate(0.1, 0.1, 0.005, 20, 20), s);
+  Observer nobody;
+  simulation.run(nobody);
+  return simulation;
+}
+
+} // namespace
+
+TEST_CASE("free flight keeps velocity, shape and energy", "[simulation][analytic]")
+{
+  Particles p = samples::block(6, 6, 6, 2e-3, 0.3, {150, 20, -7});
+  const Particles before = p;
+  Simulation s(std::move(p), std::nullopt, settings_to(1e-3));
+  CountFrames frames;
+  s.run(frames);
+  REQUIRE(frames.times == std::vector<double>{0, 2.5e-4, 5e-4, 7.5e-4, 1e-3});
+  const auto row = s.particles().row_of_id();
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const auto k = static_cast<std::size_t>(row[i]);
+    CHECK(s.particles().vx[k] == 150);
+    CHECK(s.particles().x[k] == Approx(before.x[i] + 0.15).margin(1e-12));
+    CHECK(s.particles().z[k] == Approx(before.z[i] - 0.007).margin(1e-12));
+  }
+  CHECK(s.ledger().balance_error() < 1e-14);
+  CHECK(s.list_rebuilds() == 1);
+}
+
+TEST_CASE("an impact books the momentum that it takes and keeps the energy", "[simulation][conservation]")
+{
+  const Simulation s = small_impact(2);
+  const Ledger& l = s.ledger();
+  const Vector3 lost = l.initial_momentum - l.momentum;
+  REQUIRE(lost[0] > 0.1 * l.initial_momentum[0]);
+  CHECK(std::abs(lost[0] - l.impulse[0]) < 1e-9 * l.impulse[0]);
+  CHECK(lost.tail<2>().norm() < 1e-9 * l.impulse[0]);
+  CHECK(l.balance_error() < 0.01);
+  Vector3 on_elements = Vector3::Zero();
+  for (const Vector3& impulse : s.plate()->impulse)
+    on_elements += impulse;
+  CHECK(on_elements[0] == Approx(l.impulse[0]).epsilon(1e-12));
+  for (const double x : s.particles().x)
+    CHECK(x < 0);
+}
+
+TEST_CASE("one thread and two give the same bits", "[simulation][determinism]")
+{
+  const Simulation one = small_impact(1), two = small_impact(2);
+  REQUIRE(one.history().values.size() == two.history().values.size());
+  CHECK(std::memcmp(one.history().values.data(), two.history().values.data(),
+                    one.history().values.size() * sizeof(double)) == 0);
+  CHECK(one.particles().id == two.particles().id);
+  CHECK(one.particles().x == two.particles().x);
+}
+
+TEST_CASE("a plane wave against the plate has the Rankine-Hugoniot pressure", "[simulation][analytic]")
+{
+  // p = rho0 us u and rho0 us = rho (us - u) with the law in use; the first layers overshoot, then the plateau.
+  const double u = 200, spacing = 1e-3;
+  const int layers = 60;
+  for (const double z : {0.0, 0.1}) {
+    INFO("z = " << z);
+    const double rho0 = porous_density(z);
+    const EquationOfState eos = make_porous_law("impact-event", z, rho0);
+    double low = rho0 * (1 + 1e-9), high = 3 * rho0;
+    for (int k = 0; k < 100; ++k) {
+      const double rho = 0.5 * (low + high);
+      (evaluate(eos, rho).pressure > rho0 * u * u / (1 - rho0 / rho) ? high : low) = rho;
+    }
+    const double exact = evaluate(eos, low).pressure, shock_speed = exact / (rho0 * u);
+
+    Settings settings = settings_to(0.7 * layers * spacing / shock_speed);
+    settings.periodic = PeriodicBox{6 * spacing, 6 * spacing};
+    Simulation s(samples::block(layers, 6, 6, spacing, z, {u, 0, 0}),
+                 make_rigid_plate(6 * spacing, 6 * spacing, 1e-3, 1, 1), settings);
+    Observer nobody;
+    s.run(nobody);
+
+    const History& h = s.history();
+    const std::size_t force = h.find("contact_force_x");
+    double integral = 0, duration = 0;
+    for (std::size_t k = 1; k < h.rows(); ++k)
+      if (h.at(k, 0) > 15 * spacing / shock_speed) {
+        integral += h.at(k, force) / (36 * spacing * spacing) * (h.at(k, 0) - h.at(k - 1, 0));
+        duration += h.at(k, 0) - h.at(k - 1, 0);
+      }
+    CHECK(integral / duration == Approx(exact).epsilon(0.01));
+    CHECK(s.ledger().balance_error() < 0.01);
+  }
+}
+
+TEST_CASE("history columns are found by name and times rise", "[simulation][history]")
+{
+  const Simulation s = small_impact(2);
+  const History& h = s.history();
+  REQUIRE(h.rows() == static_cast<std::size_t>(s.steps()) + 1);
+  CHECK(h.columns[0].name == "time");
+  CHECK(h.find("max_pressure_torso") < h.columns.size());
+  CHECK(h.find("no_such_column") == h.columns.size());
+  for (std::size_t k = 1; k < h.rows(); ++k)
+    CHECK(h.at(k, 0) > h.at(k - 1, 0));
+  double highest = 0;
+  for (std::size_t k = 0; k < h.rows(); ++k)
+    highest = std::max(highest, h.at(k, h.find("max_pressure_all")));
+  for (const double p : s.particles().pressure)
+    CHECK(p <= highest);
+}
+
+TEST_CASE("settings out of range are named", "[simulation][errors]")
+{
+  const auto with = [](auto change) {
+    Settings s = settings_to(1e-4);
+    change(s);
+    Simulation(samples::block(3, 3, 3, 1e-3), std::nullopt, s);
+  };
+  CHECK_THROWS_WITH(with([](Settings& s) { s.end_time = 0; }), Catch::Contains("run.end"));
+  CHECK_THROWS_WITH(with([](Settings& s) { s.frames = 0; }), Catch::Contains("run.frames"));
+  CHECK_THROWS_WITH(with([](Settings& s) { s.courant = 3; }), Catch::Contains("run.courant"));
+  CHECK_THROWS_WITH(with([](Settings& s) { s.tension_cutoff = 1e6; }), Catch::Contains("tension_cutoff"));
+  CHECK_THROWS_WITH(with([](Settings& s) { s.periodic = PeriodicBox{1e-3, 1}; }), Catch::Contains("periodic"));
+}
+
+TEST_CASE("a bird that starts behind the plate is refused", "[simulation][errors]")
+{
+  Particles p = samples::block(3, 3, 3, 1e-3);
+  for (double& x : p.x)
+    x += 2e-3;
+  CHECK_THROWS_WITH(Simulation(std::move(p), make_rigid_plate(1, 1, 0.01, 1, 1), settings_to(1e-4)),
+                    Catch::Contains("torso") && Catch::Contains("bird.gap"));
+}
+
+TEST_CASE("a state that is not finite stops the run and says where", "[simulation][errors]")
+{
+  Particles p = samples::block(4, 4, 4, 1e-3);
+  p.vx[5] = std::nan("");
+  Simulation s(std::move(p), std::nullopt, settings_to(1e-4));
+  Observer nobody;
+  CHECK_THROWS_AS(s.run(nobody), RunError);
+}
