@@ -29,13 +29,13 @@ struct PeriodicBox
 
 struct Settings
 {
-  double end_time = 0; //!< [s]
-  int frames = 60;     //!< states handed to the observer after the one at t = 0, at equal intervals
+  double end_time = 0;  //!< [s]
+  int frames = 60;      //!< states handed to the observer after the one at t = 0, at equal intervals
   double courant = 0.3; //!< share of the stability limit [-]
   Viscosity viscosity;
-  double tension_cutoff = 0;        //!< lowest pressure that a particle can carry, <= 0 [Pa]
-  double smoothing_shrink = 0.3;    //!< h is kept above this share of its first value [-]
-  double smoothing_growth = 1.0;    //!< h is kept below this share of its first value [-]
+  double tension_cutoff = 0;     //!< lowest pressure that a particle can carry, <= 0 [Pa]
+  double smoothing_shrink = 0.3; //!< h is kept above this share of its first value [-]
+  double smoothing_growth = 1.0; //!< h is kept below this share of its first value [-]
   std::optional<PeriodicBox> periodic;
   int threads = 0; //!< 0: all that there are
 };

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The explicit cycle of section 5.3 and figure 3.2. Velocities, density and energy are taken to the middle of the
-// step with the rates at its start, positions to its end with the velocities in the middle (5.13, 5.14), and the
-// rest of the way with the rates at the end, which are found once a step from a trial state carried there.
+// The explicit cycle of section 5.3 and figure 3.2. Velocities, density and energy are taken to the middle of
+// the step with the rates at its start, positions to its end with the velocities in the middle (5.13, 5.14),
+// and the rest of the way with the rates at the end, which are found once a step from a trial state carried
+// there.
 #include "core/simulation.h"
 
 #include "core/contact/mirror_contact.h"
@@ -37,14 +38,16 @@ void check(const Settings& s, const Particles& p, const RigidPlate* plate)
   require(s.end_time > 0, "run.end must be positive");
   require(s.frames > 0, "run.frames must be at least 1");
   require(s.courant > 0 && s.courant <= 1, "run.courant must lie above 0 and not above 1");
-  require(s.viscosity.linear >= 0 && s.viscosity.quadratic >= 0, "viscosity coefficients must not be negative");
+  require(s.viscosity.linear >= 0 && s.viscosity.quadratic >= 0,
+          "viscosity coefficients must not be negative");
   require(s.tension_cutoff <= 0, "run.tension_cutoff is the lowest pressure and must not be positive");
   require(s.smoothing_shrink > 0 && s.smoothing_shrink <= 1 && s.smoothing_growth >= 1,
           "smoothing bounds must enclose 1");
   if (s.periodic) {
     const double least = 4 * p.initial_smoothing * s.smoothing_growth * (1 + 0.5 * skin_over_h);
     require(s.periodic->size_y >= least && s.periodic->size_z >= least,
-            "the periodic box must be at least " + std::to_string(least) + " m wide, twice the reach of a particle");
+            "the periodic box must be at least " + std::to_string(least) +
+                " m wide, twice the reach of a particle");
   }
   if (!plate)
     return;
@@ -76,7 +79,10 @@ struct Simulation::State
   std::optional<double> first_contact;
 
   State(Particles p, std::optional<RigidPlate> target, const Settings& s)
-      : settings(s), particles(std::move(p)), plate(std::move(target)), sph(s, plate ? &*plate : nullptr),
+      : settings(s),
+        particles(std::move(p)),
+        plate(std::move(target)),
+        sph(s, plate ? &*plate : nullptr),
         neighbours(skin_over_h * particles.initial_smoothing,
                    s.periodic ? Period{s.periodic->size_y, s.periodic->size_z} : Period{})
   {

@@ -43,17 +43,18 @@ public:
   void run(Observer& observer);
 
   const Settings& settings() const;
-  const Particles& particles() const; //!< rows in the order of the moment; particles().id tells which is which
-  const RigidPlate* plate() const;    //!< null without a target
-  const History& history() const;     //!< one row per step, and one at t = 0; columns in gauges/history_columns
-  const Ledger& ledger() const;       //!< mass, momentum, energy; now and at the start
+  const Particles&
+  particles() const;               //!< rows in the order of the moment; particles().id tells which is which
+  const RigidPlate* plate() const; //!< null without a target
+  const History& history() const;  //!< one row per step, and one at t = 0; columns in gauges/history_columns
+  const Ledger& ledger() const;    //!< mass, momentum, energy; now and at the start
   const Shares& shares() const;
 
   double time() const;               //!< [s]
   const TimeStep& time_step() const; //!< the last one, and what limited it
   long steps() const;
   long list_rebuilds() const;
-  double mean_neighbours() const;       //!< within 2h at the last rebuild, the particle itself not counted
+  double mean_neighbours() const; //!< within 2h at the last rebuild, the particle itself not counted
   std::optional<double> first_contact() const; //!< time at which the plate first felt a force [s]
 
 private:

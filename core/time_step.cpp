@@ -24,11 +24,12 @@ struct Candidate
 [[noreturn]] void report_broken(const Particles& p, std::size_t i, double time)
 {
   char text[300];
-  std::snprintf(text, sizeof text,
-                "particle %d (part %s) blew up at t = %.6g s near x = %.4g, y = %.4g, z = %.4g m: density %.4g kg/m3, "
-                "pressure %.4g Pa, speed %.4g m/s; try a smaller run.courant or more viscosity",
-                p.id[i], p.parts[p.part[i]].name.c_str(), time, p.x[i], p.y[i], p.z[i], p.density[i], p.pressure[i],
-                p.velocity(i).norm());
+  std::snprintf(
+      text, sizeof text,
+      "particle %d (part %s) blew up at t = %.6g s near x = %.4g, y = %.4g, z = %.4g m: density %.4g kg/m3, "
+      "pressure %.4g Pa, speed %.4g m/s; try a smaller run.courant or more viscosity",
+      p.id[i], p.parts[p.part[i]].name.c_str(), time, p.x[i], p.y[i], p.z[i], p.density[i], p.pressure[i],
+      p.velocity(i).norm());
   throw RunError(text);
 }
 
@@ -45,7 +46,8 @@ TimeStep stable_time_step(const Particles& p, const Rates& r, const Settings& se
         const double a2 = r.ax[i] * r.ax[i] + r.ay[i] * r.ay[i] + r.az[i] * r.az[i];
         const double v2 = p.vx[i] * p.vx[i] + p.vy[i] * p.vy[i] + p.vz[i] * p.vz[i];
         // Positive density and finite everything; a NaN anywhere makes the sum one.
-        const double all = p.x[i] + p.y[i] + p.z[i] + a2 + v2 + sound + r.energy[i] + r.density[i] + p.energy[i];
+        const double all =
+            p.x[i] + p.y[i] + p.z[i] + a2 + v2 + sound + r.energy[i] + r.density[i] + p.energy[i];
         if (c.broken < 0 && !(std::isfinite(all) && p.density[i] > 0))
           c.broken = static_cast<std::int32_t>(i);
         c.size[0] = std::min(c.size[0], h / (sound + 0.6 * (alpha * sound + beta * r.approach[i])));
@@ -70,8 +72,8 @@ TimeStep stable_time_step(const Particles& p, const Rates& r, const Settings& se
   if (last.size > 0 && last.limit != "frame" && step.size > largest_growth * last.size)
     step = {largest_growth * last.size, "growth"};
   if (!(step.size > 1e-12 * settings.end_time))
-    throw RunError("the time step fell to " + std::to_string(step.size) + " s (limit: " + std::string(step.limit) +
-                   ") at t = " + std::to_string(time) + " s; the run cannot go on");
+    throw RunError("the time step fell to " + std::to_string(step.size) + " s (limit: " +
+                   std::string(step.limit) + ") at t = " + std::to_string(time) + " s; the run cannot go on");
   return step;
 }
 

@@ -15,13 +15,12 @@ struct TimeStep
 };
 
 //! The smallest over all particles of
-//!   sound         C h / (c + 0.6 (alpha c + beta |mu|))   (Monaghan 1989; h / 0.8 of the signal speed of a pair)
-//!   acceleration  C sqrt(h / |a|)
-//!   compression   0.1 / |div v|: density changes by at most a tenth in a step
-//!   flight        C h / |v|: nobody meets the target within one step before having felt it
-//! where C is settings.courant. Never more than 1.2 times \p last.size, so that a calm moment does not make the
-//! step jump.
-//! \throw RunError naming the first particle whose state is not finite (with place and time), or if the step has
+//!   sound         C h / (c + 0.6 (alpha c + beta |mu|))   (Monaghan 1989; h / 0.8 of the signal speed of a
+//!   pair) acceleration  C sqrt(h / |a|) compression   0.1 / |div v|: density changes by at most a tenth in a
+//!   step flight        C h / |v|: nobody meets the target within one step before having felt it
+//! where C is settings.courant. Never more than 1.2 times \p last.size, so that a calm moment does not make
+//! the step jump. \throw RunError naming the first particle whose state is not finite (with place and time),
+//! or if the step has
 //!        become too small to go on
 TimeStep stable_time_step(const Particles& particles, const Rates& rates, const Settings& settings,
                           const TimeStep& last, double time);

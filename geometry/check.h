@@ -12,12 +12,14 @@ struct SurfaceReport
 {
   std::string name;
   std::size_t triangles = 0;
-  std::size_t components = 0;         //!< connected pieces
-  bool closed = false;                //!< every edge has two faces
-  bool oriented = false;              //!< normals point outwards on every component
-  bool self_intersecting = false;
-  std::size_t open_edges = 0;         //!< edges with one face
-  double volume = 0;                  //!< enclosed; 0 if not closed [m3]
+  std::size_t components = 0;     //!< connected pieces
+  bool closed = false;            //!< every edge has two faces
+  bool oriented = false;          //!< normals point outwards on every component (inwards on a cavity's wall)
+  bool self_intersecting = false; //!< not looked for where more than two faces meet or windings are mixed
+  std::size_t open_edges = 0;     //!< edges with one face
+  std::size_t crowded_edges = 0;  //!< edges with more than two faces
+  std::size_t mixed_edges = 0;    //!< edges whose two faces are wound opposite ways
+  double volume = 0;              //!< enclosed, negative if inside out; 0 if not closed [m3]
   Vector3 lower = Vector3::Zero(), upper = Vector3::Zero(); //!< bounding box [m]
 };
 

@@ -30,13 +30,15 @@ struct Fill
 //! \param mesh      solids that passed require_solids
 //! \param part_of   part name of each object of \p mesh (several objects may share a part)
 //! \param spacing   lattice spacing [m]
-//! \throw InputError if the count would not fit the machine's memory (estimated first, and says so), if a part
-//!        would get no particle (names it, gives its thickness and the remedy), or if the spacing is not positive
+//! \throw InputError if the count would not fit the machine's memory (estimated first, and says so), if a
+//! part
+//!        would get no particle (names it, gives its thickness and the remedy), or if the spacing is not
+//!        positive
 Fill fill_lattice(const SurfaceMesh& mesh, const std::vector<std::string>& part_of, double spacing);
 
-//! The part that an object of a CAD file belongs to, by its name: wing_left and Wing.R are "wings", spine, keel
-//! and rib_3 are "bones", body is "torso".
-//! \throw InputError naming the object and the known patterns when none fits
+//! The part that an object of a CAD file belongs to, by its name: wing_left and Wing.R are "wings", spine,
+//! keel and rib_3 are "bones", body is "torso". \throw InputError naming the object and the known patterns
+//! when none fits
 std::string part_of_object(const std::string& object_name);
 
 } // namespace birdstrike

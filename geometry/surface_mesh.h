@@ -14,7 +14,7 @@ namespace birdstrike {
 struct SurfacePart
 {
   std::string name;
-  std::vector<Vector3> points;              //!< [m]
+  std::vector<Vector3> points;               //!< [m]
   std::vector<std::array<int, 3>> triangles; //!< rows of points, counter-clockwise seen from outside
 };
 

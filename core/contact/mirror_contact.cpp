@@ -46,7 +46,8 @@ Vector3 drift(Particles& p, RigidPlate* plate, double duration)
     if (p.x[i] < 0 || before >= 0)
       continue;
     const double share = p.x[i] / (p.x[i] - before); // of the way, beyond the plate
-    const int element = plate->element_at(p.y[i] - share * p.vy[i] * duration, p.z[i] - share * p.vz[i] * duration);
+    const int element =
+        plate->element_at(p.y[i] - share * p.vy[i] * duration, p.z[i] - share * p.vz[i] * duration);
     if (element < 0)
       continue;
     const Vector3 push{2 * p.mass[i] * p.vx[i], 0, 0};

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Books what the mirror plate of the pair loops does to the bird, and stops particles that would pass it.
 //
-// A rigid frictionless wall is the plane of symmetry of a flow and its mirror image. So each particle in front of the
-// plate feels the images of its neighbours and of itself (pair_kernels.cpp), with the same pressure, density and
-// mirrored velocity: no stiffness to choose, no penetration needed before a force arises, and as the whole of flow and
-// image conserves momentum and energy, the plate does no work and takes exactly the momentum that the bird loses.
-// Forces along the plate cancel in pairs and are not booked.
+// A rigid frictionless wall is the plane of symmetry of a flow and its mirror image. So each particle in
+// front of the plate feels the images of its neighbours and of itself (pair_kernels.cpp), with the same
+// pressure, density and mirrored velocity: no stiffness to choose, no penetration needed before a force
+// arises, and as the whole of flow and image conserves momentum and energy, the plate does no work and takes
+// exactly the momentum that the bird loses. Forces along the plate cancel in pairs and are not booked.
 #pragma once
 
 #include "core/contact/rigid_plate.h"
@@ -20,10 +20,9 @@ Vector3 collect_contact_force(const Particles& particles, const Rates& rates, Ri
 //! Add force times \p duration [s] to the elements' impulses.
 void book_impulse(RigidPlate& plate, double duration);
 
-//! Move all particles by velocity times \p duration [s]. Whoever would come through the plate is thrown back as
-//! light from a mirror, which keeps its energy; the images' pressure makes this rare.
-//! \param plate  null without one
-//! \return impulse handed to the plate by that [N s]
+//! Move all particles by velocity times \p duration [s]. Whoever would come through the plate is thrown back
+//! as light from a mirror, which keeps its energy; the images' pressure makes this rare. \param plate  null
+//! without one \return impulse handed to the plate by that [N s]
 Vector3 drift(Particles& particles, RigidPlate* plate, double duration);
 
 } // namespace birdstrike

@@ -31,7 +31,8 @@ void record(History& history, const Particles& p, const Ledger& ledger, double t
   using Maxima = std::vector<double>;
   const Maxima none(p.parts.size(), -std::numeric_limits<double>::infinity());
   const Maxima of_part = ordered_reduce(
-      p.size(), none, [&p](Maxima& m, std::size_t i) { m[p.part[i]] = std::max(m[p.part[i]], p.pressure[i]); },
+      p.size(), none,
+      [&p](Maxima& m, std::size_t i) { m[p.part[i]] = std::max(m[p.part[i]], p.pressure[i]); },
       [](Maxima& a, const Maxima& b) {
         for (std::size_t k = 0; k < a.size(); ++k)
           a[k] = std::max(a[k], b[k]);
@@ -44,7 +45,8 @@ void record(History& history, const Particles& p, const Ledger& ledger, double t
     v.push_back(ledger.contact_force[k]);
   for (int k = 0; k < 3; ++k)
     v.push_back(ledger.impulse[k]);
-  v.insert(v.end(), {max_contact_pressure, ledger.kinetic, ledger.internal, ledger.viscous, ledger.balance_error()});
+  v.insert(v.end(),
+           {max_contact_pressure, ledger.kinetic, ledger.internal, ledger.viscous, ledger.balance_error()});
 }
 
 } // namespace birdstrike

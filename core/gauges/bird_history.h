@@ -8,8 +8,9 @@
 
 namespace birdstrike {
 
-//! An empty table with the columns time, time_step, max_pressure_all, max_pressure_<part> ..., contact_force_{x,y,z},
-//! impulse_{x,y,z}, max_contact_pressure, kinetic_energy, internal_energy, viscous_energy, energy_balance_error.
+//! An empty table with the columns time, time_step, max_pressure_all, max_pressure_<part> ...,
+//! contact_force_{x,y,z}, impulse_{x,y,z}, max_contact_pressure, kinetic_energy, internal_energy,
+//! viscous_energy, energy_balance_error.
 History make_bird_history(const Particles& particles);
 
 //! Append the state of this moment. A part's maximum is over its particles, whatever its sign.

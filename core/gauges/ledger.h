@@ -8,11 +8,12 @@ namespace birdstrike {
 
 struct Ledger
 {
-  double mass = 0;                             //!< [kg]
-  Vector3 initial_momentum = Vector3::Zero();  //!< of the bird at the start [kg m/s]
-  Vector3 momentum = Vector3::Zero();          //!< of the bird now [kg m/s]
-  Vector3 impulse = Vector3::Zero();           //!< what the target has received: time integral of the contact force [N s]
-  Vector3 contact_force = Vector3::Zero();     //!< of the bird on the target now [N]
+  double mass = 0;                            //!< [kg]
+  Vector3 initial_momentum = Vector3::Zero(); //!< of the bird at the start [kg m/s]
+  Vector3 momentum = Vector3::Zero();         //!< of the bird now [kg m/s]
+  Vector3 impulse =
+      Vector3::Zero(); //!< what the target has received: time integral of the contact force [N s]
+  Vector3 contact_force = Vector3::Zero(); //!< of the bird on the target now [N]
 
   double initial_energy = 0; //!< kinetic + internal at the start [J]
   double kinetic = 0;        //!< [J]

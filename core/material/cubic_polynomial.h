@@ -10,8 +10,8 @@
 
 namespace birdstrike {
 
-//! p = C1 mu + C2 mu^2 + C3 mu^3 with mu = rho/rho0 - 1 in compression, p = C1 mu in tension (2.9 without energy).
-//! Valid where dp/dmu > 0, which check() tests up to mu_max.
+//! p = C1 mu + C2 mu^2 + C3 mu^3 with mu = rho/rho0 - 1 in compression, p = C1 mu in tension (2.9 without
+//! energy). Valid where dp/dmu > 0, which check() tests up to mu_max.
 struct CubicPolynomial
 {
   double rho0;       //!< reference density [kg/m3]

@@ -24,7 +24,8 @@ class JoinedCurve
 {
 public:
   explicit JoinedCurve(double z)
-      : z_(z), shock_end_(1 / porous_water::shock_volume(z, impact_event_join)),
+      : z_(z),
+        shock_end_(1 / porous_water::shock_volume(z, impact_event_join)),
         isentrope_end_(1 / porous_water::isentrope_volume(z, impact_event_join))
   {
   }
@@ -102,8 +103,7 @@ CubicFit impact_event_cubic(double z, double rho0, double range)
   }
   law.check();
 
-  const Eigen::Array<double, samples, 1> error =
-      law.C1 * mu + law.C2 * mu.square() + law.C3 * mu.cube() - p;
+  const Eigen::Array<double, samples, 1> error = law.C1 * mu + law.C2 * mu.square() + law.C3 * mu.cube() - p;
   return {law, std::sqrt(error.square().mean()), error.abs().maxCoeff(), range};
 }
 

@@ -14,11 +14,11 @@ inline constexpr double impact_event_join = 40e6;
 
 //! Isentropic below 40 MPa, shock above (6.3), as a table.
 //!
-//! At one density the shock curve lies above the isentrope, because the air is hotter. So there is an interval of
-//! compressions, from where the shock curve passes 40 MPa to where the isentrope does, in which section 6.3 names
-//! both curves; at a fixed density in it a jump would be infinitely stiff. There the pressure goes over from one
-//! curve to the other with a smoothstep in density, p = p_s + w (p_H - p_s). As p_H >= p_s and both rise, so does
-//! their join, whatever the porosity. Without air both curves are one.
+//! At one density the shock curve lies above the isentrope, because the air is hotter. So there is an
+//! interval of compressions, from where the shock curve passes 40 MPa to where the isentrope does, in which
+//! section 6.3 names both curves; at a fixed density in it a jump would be infinitely stiff. There the
+//! pressure goes over from one curve to the other with a smoothstep in density, p = p_s + w (p_H - p_s). As
+//! p_H >= p_s and both rise, so does their join, whatever the porosity. Without air both curves are one.
 //! \param z    volume share of air [-]
 //! \param rho0 reference density [kg/m3]
 Tabulated impact_event(double z, double rho0);

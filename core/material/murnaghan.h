@@ -10,8 +10,8 @@
 
 namespace birdstrike {
 
-//! p = B [(rho/rho0)^g - 1]; also known as Tait's. Water by the dissertation's 6.9, 6.10 is B = rho0 c0^2 / (4k - 1),
-//! g = 4k - 1. Valid for rho > 0; source: F. D. Murnaghan, PNAS 30 (1944) 244.
+//! p = B [(rho/rho0)^g - 1]; also known as Tait's. Water by the dissertation's 6.9, 6.10 is B = rho0 c0^2 /
+//! (4k - 1), g = 4k - 1. Valid for rho > 0; source: F. D. Murnaghan, PNAS 30 (1944) 244.
 struct Murnaghan
 {
   double rho0; //!< reference density [kg/m3]
@@ -20,7 +20,8 @@ struct Murnaghan
 
   void check() const
   {
-    require(rho0 > 0 && B > 0 && g >= 1, "Murnaghan equation of state: need density > 0, B > 0 and exponent >= 1");
+    require(rho0 > 0 && B > 0 && g >= 1,
+            "Murnaghan equation of state: need density > 0, B > 0 and exponent >= 1");
   }
   double reference_density() const { return rho0; }
   LawPoint at(double rho) const

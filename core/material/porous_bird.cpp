@@ -19,7 +19,8 @@ struct NamedLaw
 
 constexpr std::array laws{
     NamedLaw{"impact-event", [](double z, double rho) -> EquationOfState { return impact_event(z, rho); }},
-    NamedLaw{"impact-event-cubic", [](double z, double rho) -> EquationOfState { return impact_event_cubic(z, rho).law; }},
+    NamedLaw{"impact-event-cubic",
+             [](double z, double rho) -> EquationOfState { return impact_event_cubic(z, rho).law; }},
     NamedLaw{"shock", [](double z, double rho) -> EquationOfState { return shock_law(z, rho); }},
     NamedLaw{"isentropic", [](double z, double rho) -> EquationOfState { return isentropic_law(z, rho); }},
 };

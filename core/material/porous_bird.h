@@ -16,7 +16,8 @@ std::vector<std::string_view> porous_law_names();
 //! A law of the dissertation's chapter 6 for a mixture of water and air.
 //! \param name      one of porous_law_names()
 //! \param porosity  z, volume share of air, 0 <= z <= 0.9 [-]
-//! \param density   reference density [kg/m3]; the law is a function of density / reference density, so that a
+//! \param density   reference density [kg/m3]; the law is a function of density / reference density, so that
+//! a
 //!                  part whose mass is fixed from outside keeps its porosity's compressibility.
 //!                  porous_density(porosity) is the natural one.
 //! \throw InputError for an unknown name (the message lists the known ones) or a value out of range

@@ -42,7 +42,10 @@ double air_isentrope_volume(double p) { return std::pow((p + atmosphere) / atmos
 
 double shock_volume(double z, double p) { return (1 - z) * water_volume(p) + z * air_shock_volume(p); }
 
-double isentrope_volume(double z, double p) { return (1 - z) * water_volume(p) + z * air_isentrope_volume(p); }
+double isentrope_volume(double z, double p)
+{
+  return (1 - z) * water_volume(p) + z * air_isentrope_volume(p);
+}
 
 double shock_pressure(double z, double volume)
 {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Water with air in it: relative volume over pressure along the shock (6.20) and along the isentrope (6.23).
 //
-// Pressures here are above the atmosphere's: p = P2 - P1. The water law 6.9 and Deal's Hugoniot of air 6.12 are
-// read as functions of p, so that the volume ratio is exactly 1 at rest; with P2 in its place the ratio at rest
-// would be off by P1 over the air's modulus, and no state would be free of stress.
+// Pressures here are above the atmosphere's: p = P2 - P1. The water law 6.9 and Deal's Hugoniot of air 6.12
+// are read as functions of p, so that the volume ratio is exactly 1 at rest; with P2 in its place the ratio
+// at rest would be off by P1 over the air's modulus, and no state would be free of stress.
 #pragma once
 
 namespace birdstrike::porous_water {

@@ -5,12 +5,15 @@
 
 namespace birdstrike {
 
-Tabulated::Tabulated(double rho0, double x_max, const std::function<double(double)>& pressure, std::string name)
+Tabulated::Tabulated(double rho0, double x_max, const std::function<double(double)>& pressure,
+                     std::string name)
     : rho0_(rho0), name_(std::move(name))
 {
-  // 4000 intervals: the curve of the most porous part (z = 0.8) turns from air to water within 1 % of its range.
+  // 4000 intervals: the curve of the most porous part (z = 0.8) turns from air to water within 1 % of its
+  // range.
   constexpr std::size_t intervals = 4000;
-  require(rho0 > 0 && x_max > 1, name_ + ": the reference density must be positive and the table must reach above 1");
+  require(rho0 > 0 && x_max > 1,
+          name_ + ": the reference density must be positive and the table must reach above 1");
   per_unit_ = intervals / (x_max - 1);
 
   std::vector<double> p(intervals + 1);

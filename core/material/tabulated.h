@@ -13,10 +13,10 @@
 
 namespace birdstrike {
 
-//! Monotone cubic Hermite interpolation of p(x), x = rho/rho0, on equal intervals from x = 1; the sound speed is
-//! the slope of the interpolant itself, so c^2 = dp/drho holds exactly. Below x = 1 and beyond the last node the
-//! curve goes on as a straight line. Source of the slope limits: F. N. Fritsch, R. E. Carlson, SIAM J. Numer.
-//! Anal. 17 (1980) 238.
+//! Monotone cubic Hermite interpolation of p(x), x = rho/rho0, on equal intervals from x = 1; the sound speed
+//! is the slope of the interpolant itself, so c^2 = dp/drho holds exactly. Below x = 1 and beyond the last
+//! node the curve goes on as a straight line. Source of the slope limits: F. N. Fritsch, R. E. Carlson, SIAM
+//! J. Numer. Anal. 17 (1980) 238.
 class Tabulated
 {
 public:
@@ -29,7 +29,10 @@ public:
 
   double reference_density() const { return rho0_; }
   double largest_pressure() const { return (*nodes_)[nodes_->size() - 2]; } //!< at the end of the table [Pa]
-  double largest_compression() const { return 1 + (nodes_->size() / 2 - 1) / per_unit_; } //!< x of the last node
+  double largest_compression() const
+  {
+    return 1 + (nodes_->size() / 2 - 1) / per_unit_;
+  } //!< x of the last node
 
   LawPoint at(double rho) const
   {
@@ -58,8 +61,9 @@ public:
 
 private:
   double rho0_;
-  double per_unit_;                                  //!< intervals per unit of x
-  std::shared_ptr<const std::vector<double>> nodes_; //!< p and slope [Pa, Pa per interval] of each node in turn
+  double per_unit_; //!< intervals per unit of x
+  std::shared_ptr<const std::vector<double>>
+      nodes_; //!< p and slope [Pa, Pa per interval] of each node in turn
   std::string name_;
 };
 

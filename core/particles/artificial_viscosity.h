@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Terms of artificial viscosity that belong to one particle. Those of pairs are in pair_kernels.cpp:
-//   Q_ij = rho_ij f_ij (-alpha c_ij mu_ij + beta mu_ij^2),  mu_ij = h_ij v_ij.x_ij / (r^2 + 0.01 h_ij^2) when < 0,
-// with means over both particles; source: J. J. Monaghan, Annu. Rev. Astron. Astrophys. 30 (1992) 543.
+//   Q_ij = w_ij f_ij (-alpha c_ij mu_ij + beta mu_ij^2),  mu_ij = h_ij v_ij.x_ij / (r^2 + 0.01 h_ij^2) when <
+//   0,
+// with means over both particles; w = rho / x^2 is what the density becomes beside the weights V of
+// sph_rates.h. Source: J. J. Monaghan, Annu. Rev. Astron. Astrophys. 30 (1992) 543.
 #pragma once
 
 #include <array>
@@ -11,8 +13,8 @@ namespace birdstrike {
 //! Shock pressure q of 5.58 [Pa]; none in expansion.
 //! \param divergence  div v [1/s]
 //! \param length      characteristic length, cube root of the volume [m]
-inline double bulk_viscosity(double density, double sound_speed, double divergence, double length, double linear,
-                             double quadratic)
+inline double bulk_viscosity(double density, double sound_speed, double divergence, double length,
+                             double linear, double quadratic)
 {
   if (divergence >= 0)
     return 0;
@@ -20,10 +22,10 @@ inline double bulk_viscosity(double density, double sound_speed, double divergen
   return density * rate * (quadratic * rate + linear * sound_speed);
 }
 
-//! f = D^2 / (D^2 + S:S/2 + |w|^2/2) with D = div v, S the trace-free strain rate, w the vorticity: near 1 where
-//! the flow compresses, near 0 where it shears or turns. Undiminished pair viscosity makes a jet as thick as
-//! syrup. After D. S. Balsara, J. Comput. Phys. 121 (1995) 357, with the strain rate beside the vorticity.
-//! \param g  velocity gradient, row-major [1/s]
+//! f = D^2 / (D^2 + S:S/2 + |w|^2/2) with D = div v, S the trace-free strain rate, w the vorticity: near 1
+//! where the flow compresses, near 0 where it shears or turns. Undiminished pair viscosity makes a jet as
+//! thick as syrup. After D. S. Balsara, J. Comput. Phys. 121 (1995) 357, with the strain rate beside the
+//! vorticity. \param g  velocity gradient, row-major [1/s]
 inline double shear_switch(const std::array<double, 9>& g)
 {
   const double divergence = g[0] + g[4] + g[8], third = divergence / 3;

@@ -110,7 +110,8 @@ const std::vector<std::int32_t>& Neighbours::sort(const Particles& p)
   order_.resize(n);
   std::vector<std::int32_t> next(pencil_begin_.begin(), pencil_begin_.end() - 1);
   for (std::size_t i = 0; i < n; ++i)
-    order_[static_cast<std::size_t>(next[static_cast<std::size_t>(pencil_of_[i])]++)] = static_cast<std::int32_t>(i);
+    order_[static_cast<std::size_t>(next[static_cast<std::size_t>(pencil_of_[i])]++)] =
+        static_cast<std::int32_t>(i);
 #pragma omp parallel for schedule(dynamic, 16)
   for (std::ptrdiff_t k = 0; k < static_cast<std::ptrdiff_t>(pencils); ++k)
     std::sort(order_.begin() + pencil_begin_[k], order_.begin() + pencil_begin_[k + 1],
@@ -139,7 +140,8 @@ void Neighbours::search(Cluster& cluster, double longest_h, std::vector<std::int
     int last = static_cast<int>(std::floor((r.upper + reach - origin) / width));
     if (period > 0) // wraps around, but visits none twice
       return Range{static_cast<double>(first), static_cast<double>(std::min(last, first + count - 1))};
-    return Range{static_cast<double>(std::clamp(first, 0, count - 1)), static_cast<double>(std::clamp(last, 0, count - 1))};
+    return Range{static_cast<double>(std::clamp(first, 0, count - 1)),
+                 static_cast<double>(std::clamp(last, 0, count - 1))};
   };
   const Range around_y = pencils_around(y, period_.y, origin_y_, width_y_, pencils_y_);
   const Range around_z = pencils_around(z, period_.z, origin_z_, width_z_, pencils_z_);
@@ -148,8 +150,9 @@ void Neighbours::search(Cluster& cluster, double longest_h, std::vector<std::int
   cluster.first = static_cast<std::int64_t>(found.size());
   for (int kz = static_cast<int>(around_z.lower); kz <= static_cast<int>(around_z.upper); ++kz)
     for (int ky = static_cast<int>(around_y.lower); ky <= static_cast<int>(around_y.upper); ++ky) {
-      const std::size_t pencil = static_cast<std::size_t>(wrap(kz, pencils_z_)) * static_cast<std::size_t>(pencils_y_) +
-                                 static_cast<std::size_t>(wrap(ky, pencils_y_));
+      const std::size_t pencil =
+          static_cast<std::size_t>(wrap(kz, pencils_z_)) * static_cast<std::size_t>(pencils_y_) +
+          static_cast<std::size_t>(wrap(ky, pencils_y_));
       const double* begin = x_.data() + pencil_begin_[pencil];
       const double* end = x_.data() + pencil_begin_[pencil + 1];
       const auto from = std::lower_bound(begin, end, x.lower - reach) - x_.data();
@@ -158,8 +161,9 @@ void Neighbours::search(Cluster& cluster, double longest_h, std::vector<std::int
         continue;
       const std::size_t size = found.size();
       found.resize(size + static_cast<std::size_t>(to - from));
-      const int count = kernels.search(cluster, static_cast<int>(from), static_cast<int>(to), x_.data(), y_.data(),
-                                       z_.data(), h_.data(), skin_, period_, found.data() + size, &neighbours);
+      const int count =
+          kernels.search(cluster, static_cast<int>(from), static_cast<int>(to), x_.data(), y_.data(),
+                         z_.data(), h_.data(), skin_, period_, found.data() + size, &neighbours);
       found.resize(size + static_cast<std::size_t>(count));
     }
   cluster.partners = static_cast<std::int32_t>(static_cast<std::int64_t>(found.size()) - cluster.first);

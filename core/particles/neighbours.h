@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Who acts on whom: particles sorted along pencils of space, clusters of eight, one list of partners a cluster.
+// Who acts on whom: particles sorted along pencils of space, clusters of eight, one list of partners a
+// cluster.
 #pragma once
 
 #include "core/particles/pair_kernels.h"
@@ -9,10 +10,10 @@
 
 namespace birdstrike {
 
-//! Particles are sorted into square pencils along x (two spacings wide, ordered by y, then z) and along x within a
-//! pencil, so that eight consecutive ones are close to each other. The list holds every pair within
-//! h_i + h_j + skin and is used again until motion could have brought a pair in from outside: that is measured
-//! against the bird's mean motion, so free flight costs no rebuild.
+//! Particles are sorted into square pencils along x (two spacings wide, ordered by y, then z) and along x
+//! within a pencil, so that eight consecutive ones are close to each other. The list holds every pair within
+//! h_i + h_j + skin and is used again until motion could have brought a pair in from outside: that is
+//! measured against the bird's mean motion, so free flight costs no rebuild.
 class Neighbours
 {
 public:
@@ -51,7 +52,8 @@ private:
   double mean_neighbours_ = 0;
 
   int pencil_at(double value, double origin, double width, int count) const;
-  void search(Cluster& cluster, double longest_h, std::vector<std::int32_t>& found, std::int64_t& neighbours) const;
+  void search(Cluster& cluster, double longest_h, std::vector<std::int32_t>& found,
+              std::int64_t& neighbours) const;
 };
 
 //! Put all arrays of the particles in a new order: row k becomes what row order[k] was.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compiled once for each instruction set: BIRDSTRIKE_ISA_NAME is plain, avx2 or avx512. All but the table at the
-// end has internal linkage, so that no build can borrow another's instructions.
+// Compiled once for each instruction set: BIRDSTRIKE_ISA_NAME is plain, avx2 or avx512. All but the table at
+// the end has internal linkage, so that no build can borrow another's instructions.
 #include "core/particles/pair_kernels.h"
 #include "core/simd.h"
 
@@ -14,15 +14,14 @@ namespace {
 template <class Number>
 struct Side
 {
-  Number x, y, z, vx, vy, vz, h, weight, stress, sound_speed, density, limiter;
+  Number x, y, z, vx, vy, vz, h, weight, stress, sound_speed, inertia, limiter;
 };
 
 [[gnu::always_inline]] inline Side<Pack> load_side(const PairInput& in, int row)
 {
-  return {load(in.x + row),      load(in.y + row),      load(in.z + row),
-          load(in.vx + row),     load(in.vy + row),     load(in.vz + row),
-          load(in.h + row),      load(in.weight + row), load(in.stress + row),
-          load(in.sound_speed + row), load(in.density + row), load(in.limiter + row)};
+  return {load(in.x + row),      load(in.y + row),           load(in.z + row),       load(in.vx + row),
+          load(in.vy + row),     load(in.vz + row),          load(in.h + row),       load(in.weight + row),
+          load(in.stress + row), load(in.sound_speed + row), load(in.inertia + row), load(in.limiter + row)};
 }
 
 struct Sums
@@ -30,14 +29,14 @@ struct Sums
   Pack fx{}, fy{}, fz{}, gradient[9]{}, heating{}, mu{}, wall{};
 };
 
-//! Add what partner j does to the lanes i. dx ... are x_i - x_j, vx ... v_i - v_j. A lane whose support does not
-//! reach j, or that is j itself, gets exactly nothing.
-//! \param open  1 where the pair may act, 0 where something stands between
+//! Add what partner j does to the lanes i. dx ... are x_i - x_j, vx ... v_i - v_j. A lane whose support does
+//! not reach j, or that is j itself, gets exactly nothing. \param open  1 where the pair may act, 0 where
+//! something stands between
 template <bool mirrored>
-[[gnu::always_inline]] inline void add_pair(Sums& sum, const Side<Pack>& i, Pack dx, Pack dy, Pack dz, Pack vx,
-                                            Pack vy, Pack vz, double h_j, double weight_j, double stress_j,
-                                            double sound_speed_j, double density_j, double limiter_j,
-                                            const PairSettings& s, [[maybe_unused]] Pack open)
+[[gnu::always_inline]] inline void
+add_pair(Sums& sum, const Side<Pack>& i, Pack dx, Pack dy, Pack dz, Pack vx, Pack vy, Pack vz, double h_j,
+         double weight_j, double stress_j, double sound_speed_j, double inertia_j, double limiter_j,
+         const PairSettings& s, [[maybe_unused]] Pack open)
 {
   const Pack zero{};
   const Pack h = 0.5 * (i.h + h_j);
@@ -46,7 +45,8 @@ template <bool mirrored>
   const Pack r = max(sqrt(r2), 1e-9 * h);
   // 1/h, 1/r and 1/softened from one division.
   const Pack inverse = 1.0 / (h * r * softened);
-  const Pack inverse_h = inverse * r * softened, inverse_r = inverse * h * softened, inverse_soft = inverse * h * r;
+  const Pack inverse_h = inverse * r * softened, inverse_r = inverse * h * softened,
+             inverse_soft = inverse * h * r;
 
   // (1/r) dW/dr of 4.13 in truncated powers: -3/4 [(2-q)^2 - 4 (1-q)^2] / (pi h^4 r)
   const Pack q = r * inverse_h;
@@ -58,7 +58,7 @@ template <bool mirrored>
 
   const Pack approach = min(dx * vx + dy * vy + dz * vz, zero);
   const Pack mu = approach * h * inverse_soft;
-  const Pack viscosity = 0.25 * (i.density + density_j) * (i.limiter + limiter_j) * mu *
+  const Pack viscosity = 0.25 * (i.inertia + inertia_j) * (i.limiter + limiter_j) * mu *
                          (s.beta * mu - (0.5 * s.alpha) * (i.sound_speed + sound_speed_j));
 
   const Pack k = weight_j * slope;
@@ -106,14 +106,15 @@ Sums sum_direct(const Side<Pack>& i, const std::int32_t* partners, int count, co
       dz = nearest_image(dz, s.period.z);
     }
     add_pair<false>(sum, i, i.x - in.x[j], dy, dz, i.vx - in.vx[j], i.vy - in.vy[j], i.vz - in.vz[j], in.h[j],
-                    in.weight[j], in.stress[j], in.sound_speed[j], in.density[j], in.limiter[j], s, Pack{});
+                    in.weight[j], in.stress[j], in.sound_speed[j], in.inertia[j], in.limiter[j], s, Pack{});
   }
   return sum;
 }
 
-//! The images of the partners behind the plate. An image is never nearer than its original, so the cluster's own
-//! list holds all that can matter. A pair acts where the line from lane to image passes through the plate, which is
-//! the same point for i and the image of j as for j and the image of i: action stays equal to reaction at the rim.
+//! The images of the partners behind the plate. An image is never nearer than its original, so the cluster's
+//! own list holds all that can matter. A pair acts where the line from lane to image passes through the
+//! plate, which is the same point for i and the image of j as for j and the image of i: action stays equal to
+//! reaction at the rim.
 template <bool periodic>
 void add_images(Sums& sum, const Side<Pack>& i, const std::int32_t* partners, int count, const PairInput& in,
                 const PairSettings& s)
@@ -128,7 +129,7 @@ void add_images(Sums& sum, const Side<Pack>& i, const std::int32_t* partners, in
       dy = nearest_image(dy, s.period.y);
       dz = nearest_image(dz, s.period.z);
     }
-    const Pack dx = i.x + in.x[j];          // x_i - (-x_j) < 0
+    const Pack dx = i.x + in.x[j];                   // x_i - (-x_j) < 0
     const Pack share = i.x / min(dx, zero - 1e-300); // of the way to the image
     const Pack cross_y = i.y - share * dy, cross_z = i.z - share * dz;
     Pack open = i.x < 0.0 ? one : zero;
@@ -136,8 +137,8 @@ void add_images(Sums& sum, const Side<Pack>& i, const std::int32_t* partners, in
       open = max(cross_y, -cross_y) <= s.plate.half_y ? open : zero;
       open = max(cross_z, -cross_z) <= s.plate.half_z ? open : zero;
     }
-    add_pair<true>(sum, i, dx, dy, dz, i.vx + in.vx[j], i.vy - in.vy[j], i.vz - in.vz[j], in.h[j], in.weight[j],
-                   in.stress[j], in.sound_speed[j], in.density[j], in.limiter[j], s, open);
+    add_pair<true>(sum, i, dx, dy, dz, i.vx + in.vx[j], i.vy - in.vy[j], i.vz - in.vz[j], in.h[j],
+                   in.weight[j], in.stress[j], in.sound_speed[j], in.inertia[j], in.limiter[j], s, open);
   }
 }
 
@@ -148,8 +149,8 @@ void add_images(Sums& sum, const Side<Pack>& i, const std::int32_t* partners, in
 
 //! The lanes row ... row + count - 1 of a cluster.
 template <bool periodic>
-void rates_of(const Cluster& cluster, int row, int count, const std::int32_t* all_partners, const PairInput& in, const PairSettings& s,
-              const PairOutput& out)
+void rates_of(const Cluster& cluster, int row, int count, const std::int32_t* all_partners,
+              const PairInput& in, const PairSettings& s, const PairOutput& out)
 {
   const std::int32_t* partners = all_partners + cluster.first;
   const Side<Pack> i = load_side(in, row);
@@ -226,6 +227,7 @@ int search(const Cluster& cluster, int begin, int end, const double* x, const do
 } // namespace
 
 extern const PairKernels BIRDSTRIKE_TABLE(BIRDSTRIKE_ISA_NAME);
-const PairKernels BIRDSTRIKE_TABLE(BIRDSTRIKE_ISA_NAME){BIRDSTRIKE_STRING(BIRDSTRIKE_ISA_NAME), rates, search};
+const PairKernels BIRDSTRIKE_TABLE(BIRDSTRIKE_ISA_NAME){BIRDSTRIKE_STRING(BIRDSTRIKE_ISA_NAME), rates,
+                                                        search};
 
 } // namespace birdstrike

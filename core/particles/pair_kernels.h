@@ -2,9 +2,9 @@
 // The two loops over pairs of particles that cost nearly all the time, as plain functions over plain arrays.
 // They are compiled once for each instruction set (pair_kernels.cpp); pair_kernels() picks at run time.
 //
-// Particles come in clusters of eight neighbours in space; a cluster has one list of partners for all its lanes.
-// So the partner is broadcast and the eight lanes are loaded side by side: no gathers, no horizontal sums, and
-// each particle's sum has one fixed order whatever the number of threads.
+// Particles come in clusters of eight neighbours in space; a cluster has one list of partners for all its
+// lanes. So the partner is broadcast and the eight lanes are loaded side by side: no gathers, no horizontal
+// sums, and each particle's sum has one fixed order whatever the number of threads.
 #pragma once
 
 #include <cstdint>
@@ -29,26 +29,28 @@ struct Period
   double y = 0, z = 0;
 };
 
-//! What the rates of one particle need of another; N + 8 entries each, the last eight only read by idle lanes.
+//! What the rates of one particle need of another; N + 8 entries each, the last eight only read by idle
+//! lanes.
 struct PairInput
 {
   const double *x, *y, *z, *vx, *vy, *vz; //!< [m], [m/s]
   const double* h;                        //!< smoothing length [m]
-  const double* weight;                   //!< V = m / rho, the volume in 4.5 [m3]
-  const double* stress;                   //!< p + q [Pa]
+  const double* weight;                   //!< V = m / rho0 [m3]
+  const double* stress;                   //!< (p + q) / x^2, x = rho / rho0 [Pa]
   const double* sound_speed;              //!< [m/s]
-  const double* density;                  //!< [kg/m3]
+  const double* inertia;                  //!< rho / x^2, what stands in Q_ij for the density [kg/m3]
   const double* limiter;                  //!< factor of the pair viscosity [-]
 };
 
 //! Sums over partners, N + 8 entries each.
 struct PairOutput
 {
-  double *fx, *fy, *fz;    //!< force density: - sum V_j (stress_i + stress_j + Q_ij) grad_i W_ij [N/m3]
-  double* gradient[9];     //!< velocity gradient, row-major: sum V_j (v_j - v_i) (x) grad_i W_ij [1/s]
-  double* heating;         //!< viscous power density [W/m3]
-  double* mu;              //!< largest approach speed |mu_ij| [m/s]
-  double* wall;            //!< x component of the force density that came from mirror images [N/m3]
+  double *fx, *fy, *fz; //!< rho0 dv/dt: - sum V_j (stress_i + stress_j + Q_ij) grad_i W_ij [N/m3]
+  double*
+      gradient[9]; //!< row-major: sum V_j (v_j - v_i) (x) grad_i W_ij, x times the velocity gradient [1/s]
+  double* heating; //!< rho0 times the viscous heating [W/m3]
+  double* mu;      //!< largest approach speed |mu_ij| [m/s]
+  double* wall;    //!< share of fx that came from mirror images [N/m3]
 };
 
 //! A rigid plate in x = 0, |y| <= half_y, |z| <= half_z, that mirrors what stands in front of it (x < 0).
@@ -71,8 +73,8 @@ struct PairKernels
   const char* name; //!< instruction set
 
   //! Rates of the particles of clusters [begin, end).
-  void (*rates)(const Cluster* clusters, int begin, int end, const std::int32_t* partners, const PairInput& in,
-                const PairSettings& settings, const PairOutput& out);
+  void (*rates)(const Cluster* clusters, int begin, int end, const std::int32_t* partners,
+                const PairInput& in, const PairSettings& settings, const PairOutput& out);
 
   //! Of the candidate rows [begin, end): those within h_i + h_j + skin of any lane are appended to \p found.
   //! \return rows appended; \p neighbours grows by the pairs closer than h_i + h_j

@@ -10,7 +10,8 @@ namespace birdstrike {
 
 void Particles::resize(std::size_t count)
 {
-  for (auto* array : {&x, &y, &z, &vx, &vy, &vz, &mass, &density, &energy, &pressure, &sound_speed, &smoothing_length})
+  for (auto* array :
+       {&x, &y, &z, &vx, &vy, &vz, &mass, &density, &energy, &pressure, &sound_speed, &smoothing_length})
     array->resize(count);
   part.resize(count);
   id.resize(count);
@@ -39,8 +40,9 @@ Particles make_particles(std::vector<Part> parts, const std::vector<Seed>& seeds
   std::iota(p.id.begin(), p.id.end(), 0);
   for (std::size_t i = 0; i < seeds.size(); ++i) {
     const Seed& seed = seeds[i];
-    require(seed.part < p.parts.size(), "particle " + std::to_string(i) + " names part " + std::to_string(seed.part) +
-                                            ", but there are only " + std::to_string(p.parts.size()) + " parts");
+    require(seed.part < p.parts.size(), "particle " + std::to_string(i) + " names part " +
+                                            std::to_string(seed.part) + ", but there are only " +
+                                            std::to_string(p.parts.size()) + " parts");
     const EquationOfState& eos = p.parts[seed.part].eos;
     const double rho = reference_density(eos);
     p.x[i] = seed.position[0], p.y[i] = seed.position[1], p.z[i] = seed.position[2];

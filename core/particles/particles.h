@@ -24,7 +24,7 @@ struct Part
 struct Particles
 {
   std::vector<Part> parts;
-  double spacing = 0;          //!< of the lattice that the particles started on [m]
+  double spacing = 0;           //!< of the lattice that the particles started on [m]
   double initial_smoothing = 0; //!< h at the reference density [m]
 
   std::vector<double> x, y, z;          //!< position [m]
@@ -51,7 +51,7 @@ struct Particles
 //! Where and what a particle is before the first step; the fill makes these.
 struct Seed
 {
-  Vector3 position; //!< [m]
+  Vector3 position;  //!< [m]
   std::uint8_t part; //!< row in the table of parts
 };
 

@@ -7,12 +7,11 @@
 
 namespace birdstrike {
 
-//! h that keeps the number of neighbours: the integral of dh/dt = (h/3) div v along the particle's path. (4.14 as
-//! printed, dh/dt = (1/h) div v, has no consistent units; a third of h is what d = 3 dimensions ask for, see
-//! W. Benz, in The Numerical Modelling of Nonlinear Stellar Pulsations, Kluwer 1990, p. 269.) With continuity,
-//! drho/dt = -rho div v, the integral is h0 (rho0/rho)^(1/3) exactly, so nothing needs to be integrated.
-//! \param h0              at the reference density [m]
-//! \param shrink, growth  bounds of h/h0 [-]
+//! h that keeps the number of neighbours: the integral of dh/dt = (h/3) div v along the particle's path.
+//! (4.14 as printed, dh/dt = (1/h) div v, has no consistent units; a third of h is what d = 3 dimensions ask
+//! for, see W. Benz, in The Numerical Modelling of Nonlinear Stellar Pulsations, Kluwer 1990, p. 269.) With
+//! continuity, drho/dt = -rho div v, the integral is h0 (rho0/rho)^(1/3) exactly, so nothing needs to be
+//! integrated. \param h0              at the reference density [m] \param shrink, growth  bounds of h/h0 [-]
 inline double smoothing_length(double h0, double rho0, double rho, double shrink, double growth)
 {
   return h0 * std::clamp(std::cbrt(rho0 / rho), shrink, growth);

@@ -9,7 +9,7 @@ namespace birdstrike {
 
 namespace {
 constexpr std::size_t padding = cluster_size; // lanes of a cluster that may reach past the last row
-constexpr int clusters_at_once = 16; // for one thread: enough to hide the cost of handing out work
+constexpr int clusters_at_once = 16;          // for one thread: enough to hide the cost of handing out work
 } // namespace
 
 void Rates::resize(std::size_t count)
@@ -45,8 +45,8 @@ void SphRates::prepare(Particles& p, const std::vector<double>& vx, const std::v
 {
   const std::size_t n = p.size(), size = n + padding;
   if (x_.size() != size) {
-    for (auto* array : {&x_, &y_, &z_, &vx_, &vy_, &vz_, &h_, &weight_, &stress_, &sound_speed_, &density_,
-                        &limiter_, &fx_, &fy_, &fz_, &heating_, &mu_, &wall_})
+    for (auto* array : {&x_, &y_, &z_, &vx_, &vy_, &vz_, &h_, &weight_, &stress_, &shock_stress_,
+                        &sound_speed_, &inertia_, &limiter_, &fx_, &fy_, &fz_, &heating_, &mu_, &wall_})
       array->assign(size, 0.0);
     for (auto& array : gradient_)
       array.assign(size, 0.0);
@@ -58,26 +58,29 @@ void SphRates::prepare(Particles& p, const std::vector<double>& vx, const std::v
   for_each_row(n, [&](std::size_t i) {
     const EquationOfState& eos = p.parts[p.part[i]].eos;
     const LawPoint point = birdstrike::evaluate(eos, density[i]);
+    const double rho0 = reference_density(eos), x = density[i] / rho0;
     p.pressure[i] = std::max(point.pressure, settings_.tension_cutoff);
     p.sound_speed[i] = point.sound_speed;
-    p.smoothing_length[i] = smoothing_length(h0, reference_density(eos), density[i], settings_.smoothing_shrink,
-                                             settings_.smoothing_growth);
+    p.smoothing_length[i] =
+        smoothing_length(h0, rho0, density[i], settings_.smoothing_shrink, settings_.smoothing_growth);
     x_[i] = p.x[i], y_[i] = p.y[i], z_[i] = p.z[i];
     vx_[i] = vx[i], vy_[i] = vy[i], vz_[i] = vz[i];
     h_[i] = p.smoothing_length[i];
-    density_[i] = density[i];
     sound_speed_[i] = point.sound_speed;
-    weight_[i] = p.mass[i] / density[i];
+    weight_[i] = p.mass[i] / rho0;
+    inertia_[i] = rho0 / x;
     // q of 5.58 uses the rate of compression at the end of the step before.
-    const double q = bulk ? bulk_viscosity(density[i], point.sound_speed, rates.divergence[i], std::cbrt(weight_[i]),
-                                           viscosity.linear, viscosity.quadratic)
+    const double q = bulk ? bulk_viscosity(density[i], point.sound_speed, rates.divergence[i],
+                                           std::cbrt(weight_[i] / x), viscosity.linear, viscosity.quadratic)
                           : 0;
-    stress_[i] = p.pressure[i] + q;
+    shock_stress_[i] = q / (x * x);
+    stress_[i] = p.pressure[i] / (x * x) + shock_stress_[i];
     limiter_[i] = viscosity.shear_switch ? rates.limiter[i] : 1;
   });
-  pair_settings_.plate.reach = 2 * ordered_reduce(
-      n, 0.0, [&](double& most, std::size_t i) { most = std::max(most, h_[i]); },
-      [](double& a, double b) { a = std::max(a, b); });
+  pair_settings_.plate.reach =
+      2 * ordered_reduce(
+              n, 0.0, [&](double& most, std::size_t i) { most = std::max(most, h_[i]); },
+              [](double& a, double b) { a = std::max(a, b); });
 }
 
 void SphRates::finish(const Particles& p, Rates& r)
@@ -87,17 +90,17 @@ void SphRates::finish(const Particles& p, Rates& r)
     std::array<double, 9> gradient;
     for (std::size_t c = 0; c < 9; ++c)
       gradient[c] = gradient_[c][i];
-    const double divergence = gradient[0] + gradient[4] + gradient[8];
-    const double inverse_density = 1 / density_[i];
-    r.ax[i] = fx_[i] * inverse_density;
-    r.ay[i] = fy_[i] * inverse_density;
-    r.az[i] = fz_[i] * inverse_density;
+    const double compression_rate = -(gradient[0] + gradient[4] + gradient[8]); // D
+    const double rho0 = p.mass[i] / weight_[i], x = rho0 / inertia_[i];
+    r.ax[i] = fx_[i] / rho0;
+    r.ay[i] = fy_[i] / rho0;
+    r.az[i] = fz_[i] / rho0;
     r.wall_force[i] = wall_[i] * weight_[i];
-    r.divergence[i] = divergence;
-    r.density[i] = -density_[i] * divergence;
-    r.viscous[i] = (heating_[i] - (stress_[i] - p.pressure[i]) * divergence) * inverse_density;
-    r.energy[i] = r.viscous[i] - p.pressure[i] * divergence * inverse_density;
-    r.approach[i] = bulk ? std::cbrt(weight_[i]) * std::abs(divergence) : mu_[i];
+    r.divergence[i] = -compression_rate / x;
+    r.density[i] = rho0 * compression_rate;
+    r.viscous[i] = (heating_[i] + shock_stress_[i] * compression_rate) / rho0;
+    r.energy[i] = r.viscous[i] + (stress_[i] - shock_stress_[i]) * compression_rate / rho0;
+    r.approach[i] = bulk ? std::cbrt(weight_[i] / x) * std::abs(r.divergence[i]) : mu_[i];
     r.limiter[i] = shear_switch(gradient);
   });
 }
@@ -108,8 +111,9 @@ void SphRates::evaluate(Particles& p, const std::vector<double>& vx, const std::
 {
   prepare(p, vx, vy, vz, density, rates);
 
-  const PairInput in{x_.data(),  y_.data(),      z_.data(),      vx_.data(),          vy_.data(),      vz_.data(),
-                     h_.data(),  weight_.data(), stress_.data(), sound_speed_.data(), density_.data(), limiter_.data()};
+  const PairInput in{x_.data(),      y_.data(),           z_.data(),       vx_.data(),
+                     vy_.data(),     vz_.data(),          h_.data(),       weight_.data(),
+                     stress_.data(), sound_speed_.data(), inertia_.data(), limiter_.data()};
   PairOutput out{fx_.data(), fy_.data(), fz_.data(), {}, heating_.data(), mu_.data(), wall_.data()};
   for (std::size_t c = 0; c < 9; ++c)
     out.gradient[c] = gradient_[c].data();
@@ -118,7 +122,8 @@ void SphRates::evaluate(Particles& p, const std::vector<double>& vx, const std::
   const int count = static_cast<int>(neighbours.clusters().size());
 #pragma omp parallel for schedule(dynamic, 1)
   for (int first = 0; first < count; first += clusters_at_once)
-    kernels_.rates(clusters, first, std::min(count, first + clusters_at_once), partners, in, pair_settings_, out);
+    kernels_.rates(clusters, first, std::min(count, first + clusters_at_once), partners, in, pair_settings_,
+                   out);
 
   finish(p, rates);
 }

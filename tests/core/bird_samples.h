@@ -11,13 +11,15 @@
 namespace birdstrike::samples {
 
 //! nx x ny x nz particles of flesh on a lattice; the foremost layer is half a spacing before x = 0.
-inline Particles block(int nx, int ny, int nz, double spacing, double porosity = 0.1, const Vector3& velocity = {0, 0, 0})
+inline Particles block(int nx, int ny, int nz, double spacing, double porosity = 0.1,
+                       const Vector3& velocity = {0, 0, 0})
 {
   std::vector<Seed> seeds;
   for (int i = 0; i < nx; ++i)
     for (int j = 0; j < ny; ++j)
       for (int k = 0; k < nz; ++k)
-        seeds.push_back({{-(i + 0.5) * spacing, (j - 0.5 * (ny - 1)) * spacing, (k - 0.5 * (nz - 1)) * spacing}, 0});
+        seeds.push_back(
+            {{-(i + 0.5) * spacing, (j - 0.5 * (ny - 1)) * spacing, (k - 0.5 * (nz - 1)) * spacing}, 0});
   Part flesh{"torso", make_porous_law("impact-event", porosity, porous_density(porosity)), porosity, 0};
   return make_particles({flesh}, seeds, spacing, velocity, 1.25);
 }
@@ -47,7 +49,8 @@ inline Rates rates_of(Particles& p, const Settings& settings, const RigidPlate* 
   Rates rates;
   rates.resize(p.size());
   Neighbours neighbours(0.4 * p.initial_smoothing,
-                        settings.periodic ? Period{settings.periodic->size_y, settings.periodic->size_z} : Period{});
+                        settings.periodic ? Period{settings.periodic->size_y, settings.periodic->size_z}
+                                          : Period{});
   reorder(p, std::vector<std::int32_t>(neighbours.sort(p)));
   neighbours.build(p);
   SphRates sph(settings, plate, kernels);

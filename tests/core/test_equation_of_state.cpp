@@ -23,7 +23,8 @@ std::vector<EquationOfState> samples()
   return all;
 }
 
-//! Pressure behind a shock that stops matter of speed u [m/s]: Rankine-Hugoniot (6.4, 6.5) with the law p(rho).
+//! Pressure behind a shock that stops matter of speed u [m/s]: Rankine-Hugoniot (6.4, 6.5) with the law
+//! p(rho).
 template <class Pressure>
 double hugoniot_pressure(double rho0, double u, const Pressure& pressure)
 {
@@ -51,7 +52,8 @@ TEST_CASE("sound speed is the slope of pressure", "[eos][consistency]")
     INFO(describe(eos));
     for (const double x : {1.0007, 1.02, 1.1003, 1.4, 1.9}) {
       const double rho = x * reference_density(eos), step = 1e-7 * rho;
-      const double slope = (evaluate(eos, rho + step).pressure - evaluate(eos, rho - step).pressure) / (2 * step);
+      const double slope =
+          (evaluate(eos, rho + step).pressure - evaluate(eos, rho - step).pressure) / (2 * step);
       const double c = evaluate(eos, rho).sound_speed;
       CHECK(c * c == Approx(slope).epsilon(2e-4));
     }
@@ -75,14 +77,16 @@ TEST_CASE("pressure is zero at the reference density and rises with density", "[
 
 TEST_CASE("the shock curve gives the published Hugoniot pressures of porous water", "[eos][reference]")
 {
-  // Solutions of 6.4, 6.5, 6.20 in MPa, absolute; computed independently of this program from the same constants.
+  // Solutions of 6.4, 6.5, 6.20 in MPa, absolute; computed independently of this program from the same
+  // constants.
   struct Row
   {
     double z, p100, p150, p200, p300;
   };
   for (const Row& row : {Row{0, 168.3, 267.3, 376.1, 622.8}, Row{0.1, 75.0, 143.5, 223.5, 411.7},
                          Row{0.2, 40.7, 84.5, 139.8, 278.0}, Row{0.4, 16.8, 36.2, 62.4, 133.3},
-                         Row{0.6, 7.9, 16.9, 29.3, 63.8}, Row{0.8, 3.3, 6.8, 11.6, 25.1}}) {
+                         Row{0.6, 7.9, 16.9, 29.3, 63.8}, Row{0.8, 3.3, 6.8, 11.6, 25.1}})
+  {
     INFO("z = " << row.z);
     const double rho0 = porous_density(row.z);
     const auto exact = [&](double u) {
@@ -150,8 +154,11 @@ TEST_CASE("laws refuse bad parameters by name", "[eos][errors]")
   CHECK_THROWS_AS(Linear({-1, 2e9}).check(), InputError);
   CHECK_THROWS_AS(Murnaghan({950, 0, 7}).check(), InputError);
   CHECK_THROWS_WITH(CubicPolynomial({950, 28e6, -85e6, 35e6}).check(), Catch::Contains("falls with density"));
-  CHECK_THROWS_WITH(make_porous_law("water", 0.1, 900), Catch::Contains("impact-event") && Catch::Contains("'water'"));
+  CHECK_THROWS_WITH(make_porous_law("water", 0.1, 900),
+                    Catch::Contains("impact-event") && Catch::Contains("'water'"));
   CHECK_THROWS_WITH(make_porous_law("shock", 0.95, 900), Catch::Contains("0.95"));
   CHECK_THROWS_AS(make_porous_law("shock", 0.5, -900), InputError);
-  CHECK_THROWS_AS(Tabulated(1000, 2, [](double x) { return 1 - x; }, "falling"), InputError);
+  CHECK_THROWS_AS(Tabulated(
+                      1000, 2, [](double x) { return 1 - x; }, "falling"),
+                  InputError);
 }

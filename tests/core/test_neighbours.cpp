@@ -19,7 +19,8 @@ std::set<std::pair<int, int>> close_pairs(const Particles& p, double skin, Perio
   std::set<std::pair<int, int>> pairs;
   for (std::size_t i = 0; i < p.size(); ++i)
     for (std::size_t j = 0; j < p.size(); ++j) {
-      const double dx = p.x[i] - p.x[j], dy = image(p.y[i] - p.y[j], period.y), dz = image(p.z[i] - p.z[j], period.z);
+      const double dx = p.x[i] - p.x[j], dy = image(p.y[i] - p.y[j], period.y),
+                   dz = image(p.z[i] - p.z[j], period.z);
       const double reach = p.smoothing_length[i] + p.smoothing_length[j] + skin;
       if (dx * dx + dy * dy + dz * dz < reach * reach)
         pairs.insert({p.id[i], p.id[j]});

@@ -29,10 +29,12 @@ TEST_CASE("the plate's mesh has its area and faces the bird", "[plate]")
   double area = 0;
   for (std::size_t e = 0; e < mesh.quads.size(); ++e) {
     const auto& q = mesh.quads[e];
-    const Vector3 cross = (mesh.points[q[2]] - mesh.points[q[0]]).cross(mesh.points[q[3]] - mesh.points[q[1]]);
+    const Vector3 cross =
+        (mesh.points[q[2]] - mesh.points[q[0]]).cross(mesh.points[q[3]] - mesh.points[q[1]]);
     CHECK(cross[0] < 0); // outward normal -x
     area += 0.5 * cross.norm();
-    const Vector3 centre = 0.25 * (mesh.points[q[0]] + mesh.points[q[1]] + mesh.points[q[2]] + mesh.points[q[3]]);
+    const Vector3 centre =
+        0.25 * (mesh.points[q[0]] + mesh.points[q[1]] + mesh.points[q[2]] + mesh.points[q[3]]);
     CHECK(plate.element_at(centre[1], centre[2]) == static_cast<int>(e));
   }
   CHECK(area == Approx(0.24));

@@ -87,7 +87,8 @@ TEST_CASE("one thread and two give the same bits", "[simulation][determinism]")
 
 TEST_CASE("a plane wave against the plate has the Rankine-Hugoniot pressure", "[simulation][analytic]")
 {
-  // p = rho0 us u and rho0 us = rho (us - u) with the law in use; the first layers overshoot, then the plateau.
+  // p = rho0 us u and rho0 us = rho (us - u) with the law in use; the first layers overshoot, then the
+  // plateau.
   const double u = 200, spacing = 1e-3;
   const int layers = 60;
   for (const double z : {0.0, 0.1}) {
@@ -149,7 +150,10 @@ TEST_CASE("settings out of range are named", "[simulation][errors]")
   CHECK_THROWS_WITH(with([](Settings& s) { s.frames = 0; }), Catch::Contains("run.frames"));
   CHECK_THROWS_WITH(with([](Settings& s) { s.courant = 3; }), Catch::Contains("run.courant"));
   CHECK_THROWS_WITH(with([](Settings& s) { s.tension_cutoff = 1e6; }), Catch::Contains("tension_cutoff"));
-  CHECK_THROWS_WITH(with([](Settings& s) { s.periodic = PeriodicBox{1e-3, 1}; }), Catch::Contains("periodic"));
+  CHECK_THROWS_WITH(with([](Settings& s) {
+                      s.periodic = PeriodicBox{1e-3, 1};
+                    }),
+                    Catch::Contains("periodic"));
 }
 
 TEST_CASE("a bird that starts behind the plate is refused", "[simulation][errors]")

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sizes of a triangle surface: box, volume, area, centre.
+#pragma once
+
+#include "geometry/surface_mesh.h"
+
+namespace birdstrike {
+
+//! Axis-aligned box; lower > upper when it holds nothing.
+struct Box
+{
+  Vector3 lower, upper; //!< [m]
+  double diagonal() const { return (upper - lower).norm(); }
+  Vector3 centre() const { return 0.5 * (lower + upper); }
+  bool holds(const Vector3& p) const
+  {
+    return (p.array() >= lower.array()).all() && (p.array() <= upper.array()).all();
+  }
+};
+
+Box bounding_box(const SurfacePart& part); //!< of all points; a zero box if there are none
+Box bounding_box(const SurfaceMesh& mesh);
+
+//! Volume by the divergence theorem [m3]: negative if the surface is inside out, meaningless if it is open.
+double signed_volume(const SurfacePart& part);
+
+double surface_area(const SurfacePart& part); //!< [m2]
+
+//! Centre of mass of the enclosed volume at equal density [m]; the middle of the box if the volume is zero.
+Vector3 volume_centre(const SurfacePart& part);
+
+} // namespace birdstrike
