@@ -18,7 +18,7 @@ namespace birdstrike {
 
 namespace {
 
-constexpr double skin_over_h = 0.32; // list reach beyond the support; 0.4 spacings, the best of 0.2 ... 0.8
+constexpr double skin_over_h = 0.16; // mean skin of a particle: a fifth of a spacing
 
 double wall_clock()
 {
@@ -44,7 +44,7 @@ void check(const Settings& s, const Particles& p, const RigidPlate* plate)
   require(s.smoothing_shrink > 0 && s.smoothing_shrink <= 1 && s.smoothing_growth >= 1,
           "smoothing bounds must enclose 1");
   if (s.periodic) {
-    const double least = 4 * p.initial_smoothing * s.smoothing_growth * (1 + 0.5 * skin_over_h);
+    const double least = 4 * p.initial_smoothing * s.smoothing_growth * (1 + skin_over_h);
     require(s.periodic->size_y >= least && s.periodic->size_z >= least,
             "the periodic box must be at least " + std::to_string(least) +
                 " m wide, twice the reach of a particle");

@@ -59,15 +59,15 @@ bool Neighbours::is_stale(const Particles& p) const
   const double mean_y = ordered_sum(n, [&](std::size_t i) { return p.y[i] - y_[i]; }) / count;
   const double mean_z = ordered_sum(n, [&](std::size_t i) { return p.z[i] - z_[i]; }) / count;
   // A pair closes by at most both displacements, and its reach grows by both changes of h.
-  const double furthest = ordered_reduce(
-      n, 0.0,
+  const double excess = ordered_reduce(
+      n, -1e300,
       [&](double& most, std::size_t i) {
         const double dx = p.x[i] - x_[i] - mean_x, dy = p.y[i] - y_[i] - mean_y, dz = p.z[i] - z_[i] - mean_z;
         const double growth = std::max(0.0, p.smoothing_length[i] - h_[i]);
-        most = std::max(most, std::sqrt(dx * dx + dy * dy + dz * dz) + growth);
+        most = std::max(most, std::sqrt(dx * dx + dy * dy + dz * dz) + growth - (reach_[i] - h_[i]));
       },
       [](double& a, double b) { a = std::max(a, b); });
-  return !(furthest < 0.5 * skin_);
+  return !(excess < 0);
 }
 
 int Neighbours::pencil_at(double value, double origin, double width, int count) const
@@ -122,18 +122,18 @@ const std::vector<std::int32_t>& Neighbours::sort(const Particles& p)
   return order_;
 }
 
-void Neighbours::search(Cluster& cluster, double longest_h, std::vector<std::int32_t>& found,
+void Neighbours::search(Cluster& cluster, double longest_reach, std::vector<std::int32_t>& found,
                         std::int64_t& neighbours) const
 {
   Range x, y, z;
-  double h = 0;
+  double own_reach = 0;
   for (int i = cluster.begin; i < cluster.begin + cluster.count; ++i) {
     x = {std::min(x.lower, x_[i]), std::max(x.upper, x_[i])};
     y = {std::min(y.lower, y_[i]), std::max(y.upper, y_[i])};
     z = {std::min(z.lower, z_[i]), std::max(z.upper, z_[i])};
-    h = std::max(h, h_[i]);
+    own_reach = std::max(own_reach, reach_[i]);
   }
-  const double reach = h + longest_h + skin_;
+  const double reach = own_reach + longest_reach;
   const PairKernels& kernels = pair_kernels();
   const auto pencils_around = [&](const Range& r, double period, double origin, double width, int count) {
     int first = static_cast<int>(std::floor((r.lower - reach - origin) / width));
@@ -163,10 +163,28 @@ void Neighbours::search(Cluster& cluster, double longest_h, std::vector<std::int
       found.resize(size + static_cast<std::size_t>(to - from));
       const int count =
           kernels.search(cluster, static_cast<int>(from), static_cast<int>(to), x_.data(), y_.data(),
-                         z_.data(), h_.data(), skin_, period_, found.data() + size, &neighbours);
+                         z_.data(), h_.data(), reach_.data(), period_, found.data() + size, &neighbours);
       found.resize(size + static_cast<std::size_t>(count));
     }
   cluster.partners = static_cast<std::int32_t>(static_cast<std::int64_t>(found.size()) - cluster.first);
+}
+
+//! Skins in proportion to the speed against the mean motion, within a quarter and five times their mean.
+void Neighbours::choose_reach(const Particles& p)
+{
+  const std::size_t n = p.size();
+  const double count = static_cast<double>(n);
+  const Vector3 mean{ordered_sum(n, [&](std::size_t i) { return p.vx[i]; }) / count,
+                     ordered_sum(n, [&](std::size_t i) { return p.vy[i]; }) / count,
+                     ordered_sum(n, [&](std::size_t i) { return p.vz[i]; }) / count};
+  const auto speed = [&](std::size_t i) { return (p.velocity(i) - mean).norm(); };
+  const double mean_speed = ordered_sum(n, speed) / count;
+  const bool periodic = period_.y > 0 || period_.z > 0; // small boxes leave no room for wide skins
+  reach_.assign(n + cluster_size, 0.0);
+  for_each_row(n, [&](std::size_t i) {
+    const double share = mean_speed > 1e-9 && !periodic ? std::clamp(speed(i) / mean_speed, 0.25, 5.0) : 1.0;
+    reach_[i] = h_[i] + share * skin_;
+  });
 }
 
 void Neighbours::build(const Particles& p)
@@ -178,7 +196,8 @@ void Neighbours::build(const Particles& p)
     for (std::int32_t begin = pencil_begin_[k]; begin < pencil_begin_[k + 1]; begin += cluster_size)
       clusters_.push_back({begin, std::min<std::int32_t>(cluster_size, pencil_begin_[k + 1] - begin), 0, 0});
 
-  const double longest_h = range_of(p.smoothing_length).upper;
+  choose_reach(p);
+  const double longest_reach = range_of(reach_).upper;
   // Each block of clusters is searched by one thread; then the blocks are put one behind the other.
   constexpr std::size_t block = 64;
   const std::size_t blocks = (clusters_.size() + block - 1) / block;
@@ -188,7 +207,7 @@ void Neighbours::build(const Particles& p)
   for (std::ptrdiff_t b = 0; b < static_cast<std::ptrdiff_t>(blocks); ++b) {
     found[b].reserve(block * 260);
     for (std::size_t c = b * block; c < std::min(clusters_.size(), (b + 1) * block); ++c)
-      search(clusters_[c], longest_h, found[b], neighbours[b]);
+      search(clusters_[c], longest_reach, found[b], neighbours[b]);
   }
   std::size_t total = 0;
   std::vector<std::size_t> offset(blocks);

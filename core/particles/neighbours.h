@@ -17,7 +17,7 @@ namespace birdstrike {
 class Neighbours
 {
 public:
-  //! \param skin    extra reach of the list [m]
+  //! \param skin    mean of the particles' skins [m]
   //! \param period  lengths after which space repeats; 0 for none [m]
   Neighbours(double skin, Period period) : skin_(skin), period_(period) {}
 
@@ -47,12 +47,13 @@ private:
 
   std::vector<Cluster> clusters_;
   std::vector<std::int32_t> partners_;
-  std::vector<double> x_, y_, z_, h_; // when the lists were built, padded by the lanes of a cluster
+  std::vector<double> x_, y_, z_, h_, reach_; // at the last build, padded by a cluster; reach is h + skin [m]
   long rebuilds_ = 0;
   double mean_neighbours_ = 0;
 
   int pencil_at(double value, double origin, double width, int count) const;
-  void search(Cluster& cluster, double longest_h, std::vector<std::int32_t>& found,
+  void choose_reach(const Particles& particles);
+  void search(Cluster& cluster, double longest_reach, std::vector<std::int32_t>& found,
               std::int64_t& neighbours) const;
 };
 

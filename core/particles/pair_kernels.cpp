@@ -187,17 +187,18 @@ void rates(const Cluster* clusters, int begin, int end, const std::int32_t* part
 }
 
 int search(const Cluster& cluster, int begin, int end, const double* x, const double* y, const double* z,
-           const double* h, double skin, Period period, std::int32_t* found, std::int64_t* neighbours)
+           const double* h, const double* reach, Period period, std::int32_t* found, std::int64_t* neighbours)
 {
   constexpr int most_packs = cluster_size / lanes;
   const int packs = (cluster.count + lanes - 1) / lanes;
-  Pack xi[most_packs]{}, yi[most_packs]{}, zi[most_packs]{}, hi[most_packs]{};
+  Pack xi[most_packs]{}, yi[most_packs]{}, zi[most_packs]{}, hi[most_packs]{}, reach_i[most_packs]{};
   for (int k = 0; k < packs; ++k) {
     const int row = cluster.begin + k * lanes;
-    xi[k] = load(x + row), yi[k] = load(y + row), zi[k] = load(z + row), hi[k] = load(h + row);
+    xi[k] = load(x + row), yi[k] = load(y + row), zi[k] = load(z + row), hi[k] = load(h + row),
+    reach_i[k] = load(reach + row);
     for (int l = 0; l < lanes; ++l)
       if (k * lanes + l >= cluster.count)
-        hi[k][l] = -1e300; // idle lanes reach nothing
+        hi[k][l] = reach_i[k][l] = -1e300; // idle lanes reach nothing
   }
   int count = 0;
   PackMask close{};
@@ -207,9 +208,9 @@ int search(const Cluster& cluster, int begin, int end, const double* x, const do
       const Pack dx = xi[k] - x[j];
       const Pack dy = nearest_image(yi[k] - y[j], period.y), dz = nearest_image(zi[k] - z[j], period.z);
       const Pack r2 = dx * dx + dy * dy + dz * dz;
-      const Pack support = max(hi[k] + h[j], Pack{}), reach = support > 0.0 ? support + skin : support;
+      const Pack support = max(hi[k] + h[j], Pack{}), listed = max(reach_i[k] + reach[j], Pack{});
       close -= r2 < support * support; // true is -1
-      reached |= r2 < reach * reach;
+      reached |= r2 < listed * listed;
     }
     if (any(reached))
       found[count++] = j;

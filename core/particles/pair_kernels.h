@@ -76,10 +76,11 @@ struct PairKernels
   void (*rates)(const Cluster* clusters, int begin, int end, const std::int32_t* partners,
                 const PairInput& in, const PairSettings& settings, const PairOutput& out);
 
-  //! Of the candidate rows [begin, end): those within h_i + h_j + skin of any lane are appended to \p found.
+  //! Of the candidate rows [begin, end): those within reach_i + reach_j of any lane are appended to \p found.
   //! \return rows appended; \p neighbours grows by the pairs closer than h_i + h_j
   int (*search)(const Cluster& cluster, int begin, int end, const double* x, const double* y, const double* z,
-                const double* h, double skin, Period period, std::int32_t* found, std::int64_t* neighbours);
+                const double* h, const double* reach, Period period, std::int32_t* found,
+                std::int64_t* neighbours);
 };
 
 //! Builds that this processor can run, the fastest first.
