@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The main job, coarse, from its real files to everything that it leaves, by the real program.
+#include "scratch.h"
+
+#include "cases/case.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <map>
+#include <sstream>
+#include <vector>
+
+using scratch::Outcome;
+using scratch::program;
+
+namespace {
+
+//! A CSV file by its titles.
+std::map<std::string, std::vector<double>> read_csv(const fs::path& file)
+{
+  std::map<std::string, std::vector<double>> table;
+  std::vector<std::string> titles;
+  std::ifstream in(file);
+  std::string line, cell;
+  std::getline(in, line);
+  for (std::istringstream cells(line); std::getline(cells, cell, ',');)
+    titles.push_back(cell);
+  while (std::getline(in, line)) {
+    std::istringstream cells(line);
+    for (const std::string& title : titles) {
+      std::getline(cells, cell, ',');
+      table[title].push_back(cell.empty() ? NAN : std::stod(cell));
+    }
+  }
+  return table;
+}
+
+const std::string goose = "run goose-on-rigid-plate --quiet ";
+
+} // namespace
+
+TEST_CASE("the main job leaves everything that it promises", "[cases][run]")
+{
+  const scratch::Folder folder;
+  const Outcome outcome =
+      program(folder.path,
+              "run goose-on-rigid-plate -o out --threads 1 --set bird.spacing='18 mm' --set run.frames=14");
+  INFO(outcome.output);
+  REQUIRE(outcome.status == 0);
+  const fs::path out = folder.path / "out";
+
+  SECTION("files, summary, histories, echo, log")
+  {
+    for (const char* name :
+         {"case.toml", "run.pvd", "frames/bird_0000.vtu", "frames/bird_0014.vtu", "frames/target_0014.vtu",
+          "histories.csv", "summary.json", "run.log", "figures/by_part_0.png", "figures/by_part_7.png",
+          "figures/by_part.png", "figures/by_pressure_0.png", "figures/by_pressure_7.png",
+          "figures/by_pressure.png", "figures/maximum_pressure.png", "figures/contact_force.png"})
+    {
+      INFO(name);
+      CHECK(fs::exists(out / name));
+      CHECK((fs::exists(out / name) && fs::file_size(out / name) > 100));
+    }
+    CHECK_FALSE(fs::exists(out / "frames/bird_0015.vtu"));
+    for (const fs::directory_entry& item : fs::recursive_directory_iterator(out))
+      CHECK(item.path().extension() != ".tmp");
+
+    const auto summary = nlohmann::json::parse(scratch::read(out / "summary.json"));
+    CHECK(std::abs(summary.at("bird").at("mass").get<double>() / 4 - 1) < 1e-12);
+    CHECK(summary.at("bird").at("momentum").get<double>() == Approx(600).epsilon(1e-12));
+    CHECK(summary.at("impulse_error").get<double>() < 1e-9);
+    const double lost = summary.at("bird").at("momentum").get<double>() -
+                        summary.at("bird").at("final_momentum").get<double>();
+    CHECK(summary.at("impulse").get<double>() == Approx(lost).epsilon(1e-9));
+    CHECK(summary.at("impulse_over_momentum").get<double>() > 0.95); // all of the bird has met the plate
+    CHECK(summary.at("impulse_over_momentum").get<double>() < 1.5);
+    CHECK(summary.at("energy").at("initial").get<double>() == Approx(0.5 * 4 * 150 * 150).epsilon(1e-12));
+    CHECK(summary.at("energy").at("balance_error").get<double>() < 0.01);
+    CHECK(summary.at("target").at("leaked_particles") == 0);
+    CHECK(summary.at("target").at("max_deflection") == 0);
+    for (const char* key : {"particles", "steps", "wall_seconds", "updates_per_second", "density_factor",
+                            "contact_time", "shares", "series_bytes"})
+      CHECK(summary.contains(key));
+    std::uintmax_t bytes = 0;
+    for (const fs::directory_entry& item : fs::directory_iterator(out / "frames"))
+      bytes += item.file_size();
+    CHECK(summary.at("series_bytes").get<std::uintmax_t>() == bytes);
+
+    const auto histories = read_csv(out / "histories.csv");
+    CHECK(histories.at("time[s]").size() == summary.at("steps").get<std::size_t>() + 1);
+    CHECK(histories.at("time[s]").front() == 0);
+    CHECK(histories.at("time[s]").back() == Approx(0.007).epsilon(1e-14));
+    for (const char* part : {"all", "head", "neck", "torso", "wings", "bones", "lungs"}) {
+      INFO(part);
+      const auto& column = histories.at(std::string("max_pressure_") + part + "[Pa]");
+      const double peak = *std::max_element(column.begin(), column.end());
+      CHECK(summary.at("peak_pressure").at(part).at("value").get<double>() == peak);
+      CHECK(peak > 1e6);
+    }
+    CHECK(histories.at("impulse_x[N s]").back() ==
+          Approx(summary.at("impulse").get<double>()).epsilon(1e-12));
+
+    // The echo runs again to the same result.
+    const auto echo = birdstrike::read_case(out / "case.toml");
+    CHECK(echo.bird.spacing == 0.018);
+    CHECK(echo.run.frames == 14);
+
+    // The log has what the screen showed.
+    const std::string log = scratch::read(out / "run.log");
+    std::istringstream screen(outcome.output);
+    for (std::string line; std::getline(screen, line);)
+      CHECK(log.find(line) != std::string::npos);
+    CHECK_THAT(outcome.output, Catch::Contains(" 50 %") && Catch::Contains("energy balance error"));
+  }
+
+  SECTION("the filters see on the frames what was recorded at every step")
+  {
+    const Outcome filtered = program(folder.path, "histories out/run.pvd -o frames.csv");
+    INFO(filtered.output);
+    REQUIRE(filtered.status == 0);
+    const auto frames = read_csv(folder.path / "frames.csv");
+    const auto steps = read_csv(out / "histories.csv");
+    REQUIRE(frames.at("time[s]").size() == 15);
+    const auto& time = steps.at("time[s]");
+    for (const char* part : {"all", "head", "neck", "torso", "wings", "bones", "lungs"}) {
+      const std::string title = std::string("max_pressure_") + part + "[Pa]";
+      const auto& at_steps = steps.at(title);
+      const double peak = *std::max_element(at_steps.begin(), at_steps.end());
+      for (std::size_t frame = 0; frame < 15; ++frame) {
+        INFO(title << ", frame " << frame);
+        const auto step = std::find(time.begin(), time.end(), frames.at("time[s]")[frame]) - time.begin();
+        REQUIRE(step < std::ptrdiff_t(time.size()));
+        CHECK(frames.at(title)[frame] == at_steps[step]);
+        CHECK(frames.at(title)[frame] <= peak);
+      }
+    }
+    for (const double deflection : frames.at("max_deflection[m]"))
+      CHECK(deflection == 0);
+  }
+}
+
+TEST_CASE("the same case gives the same bytes, with any number of threads", "[cases][run]")
+{
+  const scratch::Folder folder;
+  const std::string run =
+      goose + "--no-figures --set bird.spacing='20 mm' --set run.end='3 ms' --set run.frames=3 ";
+  REQUIRE(program(folder.path, run + "--threads 1 -o one").status == 0);
+  REQUIRE(program(folder.path, run + "--threads 2 -o two").status == 0);
+  REQUIRE(program(folder.path, "run one/case.toml --quiet --no-figures --threads 2 -o again").status == 0);
+  const std::string one = scratch::read(folder.path / "one/histories.csv");
+  CHECK(one.size() > 10000);
+  CHECK(one == scratch::read(folder.path / "two/histories.csv"));
+  CHECK(one == scratch::read(folder.path / "again/histories.csv"));
+  CHECK(scratch::read(folder.path / "one/frames/bird_0003.vtu") ==
+        scratch::read(folder.path / "two/frames/bird_0003.vtu"));
+}
+
+TEST_CASE("a bird that misses the plate keeps its momentum and the run says so", "[cases][run]")
+{
+  const scratch::Folder folder;
+  folder.write("box.obj", scratch::box("torso", 0.1, 0.05, 0.05));
+  folder.write("case.toml", scratch::box_case);
+  const Outcome outcome =
+      program(folder.path, "run case.toml -o out --no-figures --threads 1 --set bird.gap='1 m'");
+  INFO(outcome.output);
+  REQUIRE(outcome.status == 0);
+  CHECK_THAT(outcome.output, Catch::Contains("first contact          none"));
+  const auto summary = nlohmann::json::parse(scratch::read(folder.path / "out/summary.json"));
+  CHECK(summary.at("impulse") == 0);
+  CHECK(summary.at("contact_time").is_null());
+}
+
+TEST_CASE("the main job as shipped", "[cases][run][long]")
+{
+  const scratch::Folder folder;
+  const Outcome outcome = program(folder.path, goose + "-o out");
+  INFO(outcome.output);
+  REQUIRE(outcome.status == 0);
+  const auto summary = nlohmann::json::parse(scratch::read(folder.path / "out/summary.json"));
+  CHECK(summary.at("particles").get<int>() >= 20000);
+  CHECK(summary.at("impulse_error").get<double>() < 1e-9);
+  CHECK(summary.at("energy").at("balance_error").get<double>() < 0.01);
+  CHECK(summary.at("target").at("leaked_particles") == 0);
+}

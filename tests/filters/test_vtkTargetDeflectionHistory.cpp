@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTargetDeflectionHistory.h"
+
+#include "tests/filters/made_series.h"
+#include "vtkio/vtk_errors.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+
+using birdstrike::VtkErrors;
+using Catch::Matchers::Contains;
+
+namespace {
+
+// A 1 m x 1 m plate of 11 x 11 points at x = 0 that bulges: w = t (1 - 4 (y - a)^2)(1 - 4 z^2), largest at y
+// = a, z = 0.
+vtkSmartPointer<vtkPolyData> made_plate(double t, double a, bool moved)
+{
+  auto plate = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> u;
+  u->SetName("displacement");
+  u->SetNumberOfComponents(3);
+  for (int j = 0; j <= 10; ++j)
+    for (int i = 0; i <= 10; ++i) {
+      const double y = -0.5 + 0.1 * i, z = -0.5 + 0.1 * j;
+      const double w = t * (1 - 4 * (y - a) * (y - a)) * (1 - 4 * z * z);
+      points->InsertNextPoint(moved ? w : 0, y, z);
+      u->InsertNextTuple3(w, 0, 0);
+    }
+  plate->SetPoints(points);
+  plate->GetPointData()->AddArray(u);
+  return plate;
+}
+
+} // namespace
+
+TEST_CASE("the largest deflection of a bulging plate, its place and its point are exact",
+          "[filters][deflection]")
+{
+  const bool moved = GENERATE(false, true);
+  INFO("points move: " << moved);
+  vtkNew<MadeSeries> source;
+  source->Times = {0, 0.001, 0.002};
+  source->Make = [&](double t) -> vtkSmartPointer<vtkDataObject> {
+    auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+    blocks->SetBlock(0, made_particles({1e9}, {0}));
+    blocks->SetBlock(1, made_plate(t, t == 0.002 ? 0.2 : 0.0, moved));
+    return blocks;
+  };
+  vtkNew<vtkTargetDeflectionHistory> filter;
+  filter->SetInputConnection(source->GetOutputPort());
+  filter->SetPointsMove(moved);
+  filter->Update();
+  vtkTable& table = *filter->GetOutput();
+  REQUIRE(table.GetNumberOfRows() == 3);
+  REQUIRE(table.GetNumberOfColumns() == 6);
+  CHECK(value(table, 0, "max_deflection[m]") == 0);
+  CHECK(value(table, 1, "time[s]") == 0.001);
+  CHECK(value(table, 1, "max_deflection[m]") == Approx(0.001));
+  CHECK(value(table, 1, "x[m]") == Approx(0).margin(1e-15));
+  CHECK(value(table, 1, "y[m]") == Approx(0).margin(1e-12));
+  CHECK(value(table, 1, "z[m]") == Approx(0).margin(1e-12));
+  CHECK(value(table, 1, "point") == 5 * 11 + 5);
+  CHECK(value(table, 2, "max_deflection[m]") == Approx(0.002));
+  CHECK(value(table, 2, "y[m]") == Approx(0.2));
+  CHECK(value(table, 2, "point") == 5 * 11 + 7);
+}
+
+TEST_CASE("without a target at one time the row has NaN, without any there is an error",
+          "[filters][deflection]")
+{
+  vtkNew<MadeSeries> source;
+  source->Times = {0, 1};
+  bool never = false;
+  source->Make = [&](double t) -> vtkSmartPointer<vtkDataObject> {
+    return t == 0 || never ? made_particles({1}, {0}) : made_plate(0.01, 0, true);
+  };
+  vtkNew<vtkTargetDeflectionHistory> filter;
+  auto errors = vtkSmartPointer<VtkErrors>::New();
+  errors->watch(*filter);
+  filter->SetInputConnection(source->GetOutputPort());
+  filter->Update();
+  REQUIRE(filter->GetOutput()->GetNumberOfRows() == 2);
+  CHECK(std::isnan(value(*filter->GetOutput(), 0, "max_deflection[m]")));
+  CHECK(value(*filter->GetOutput(), 0, "point") == -1);
+  CHECK(value(*filter->GetOutput(), 1, "max_deflection[m]") == Approx(0.01));
+  CHECK_FALSE(errors->any());
+
+  never = true;
+  source->Modified();
+  filter->Update();
+  CHECK(filter->GetOutput()->GetNumberOfColumns() == 0);
+  CHECK_THAT(errors->first(), Contains("'displacement'"));
+}
+
+TEST_CASE("NaN displacements are skipped and a scalar is refused", "[filters][deflection]")
+{
+  vtkNew<MadeSeries> source;
+  source->Times = {0};
+  source->Make = [](double) -> vtkSmartPointer<vtkDataObject> {
+    auto plate = made_plate(0.01, 0, true);
+    plate->GetPointData()
+        ->GetArray("displacement")
+        ->SetComponent(60, 0, std::numeric_limits<double>::quiet_NaN());
+    return plate;
+  };
+  vtkNew<vtkTargetDeflectionHistory> filter;
+  auto errors = vtkSmartPointer<VtkErrors>::New();
+  errors->watch(*filter);
+  filter->SetInputConnection(source->GetOutputPort());
+  filter->Update();
+  CHECK(value(*filter->GetOutput(), 0, "max_deflection[m]") ==
+        Approx(0.01 * 0.96)); // a neighbour of the middle
+  source->Make = [](double) -> vtkSmartPointer<vtkDataObject> { return made_particles({1}, {0}); };
+  source->Modified();
+  filter->SetDisplacementArrayName("pressure");
+  filter->Update();
+  CHECK(filter->GetOutput()->GetNumberOfColumns() == 0);
+  CHECK_THAT(errors->first(), Contains("'pressure' has 1 components"));
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Colours that colour-blind people can tell apart.
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+class vtkLookupTable;
+
+namespace birdstrike {
+
+using Colour = std::array<double, 3>; //!< red, green, blue, each 0 ... 1
+
+//! \throw InputError unless the text is "#rrggbb"
+Colour colour_from_text(const std::string& text);
+
+//! Colour of line number k of a plot; repeats after eight.
+Colour line_colour(std::size_t k);
+
+//! Colour of a bird's part. Names that occur in birds have fixed roles, after figure 8.7 of the dissertation:
+//! head and neck blue, torso orange brown, bones green, wings grey, lungs red. Others take what is left by
+//! their number.
+Colour part_colour(const std::string& name, std::size_t number);
+
+//! Dark blue to yellow, rising evenly in brightness (viridis).
+vtkSmartPointer<vtkLookupTable> make_colour_map(double lowest, double highest);
+
+} // namespace birdstrike

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Line plots as PNG files.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace birdstrike {
+
+enum class LineStyle
+{
+  solid,
+  dashed,
+  dotted,
+  points //!< markers without a line, for measured or published values
+};
+
+struct PlotSeries
+{
+  std::string name;         //!< in the legend; empty: not listed there
+  std::vector<double> x, y; //!< of equal length; NaN in y leaves a gap
+  std::string colour; //!< "#rrggbb"; empty: the next of a palette that colour-blind people can tell apart
+  LineStyle style = LineStyle::solid;
+  double line_width = 2.5; //!< [pixel]
+};
+
+struct Plot
+{
+  std::string title;
+  std::string x_label, y_label; //!< with units: "time [ms]"
+  std::vector<PlotSeries> series;
+  std::optional<std::array<double, 2>> x_range, y_range; //!< otherwise those of the data
+  int width = 1280, height = 720;                        //!< [pixel]
+};
+
+//! \throw InputError if x and y differ in length, a colour cannot be read or there is nothing to plot;
+//!        OutputError as write_png
+void write_plot(const Plot& plot, const std::filesystem::path& png);
+
+} // namespace birdstrike

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The three-dimensional part of a picture: particles and target before a fixed camera.
+#include "vtkio/scene.h"
+
+#include "core/error.h"
+#include "vtkio/slab.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkLookupTable.h>
+#include <vtkPointData.h>
+#include <vtkPointGaussianMapper.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkStringArray.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace birdstrike {
+
+namespace {
+
+using Vector = Eigen::Vector3d;
+
+// Each splat is a square that faces the camera; this makes it a sphere lit from the upper left.
+constexpr const char* sphere_shader = "//VTK::Color::Impl\n"
+                                      "float r2 = dot(offsetVCVSOutput.xy, offsetVCVSOutput.xy);\n"
+                                      "if (r2 > 1.0) { discard; }\n"
+                                      "vec3 normal = vec3(offsetVCVSOutput.xy, sqrt(1.0 - r2));\n"
+                                      "float light = max(dot(normal, vec3(-0.46, 0.57, 0.68)), 0.0);\n"
+                                      "float gloss = 0.18 * pow(light, 24.0);\n"
+                                      "ambientColor = diffuseColor * (0.38 + 0.70 * light) + vec3(gloss);\n"
+                                      "diffuseColor = vec3(0.0);\n";
+
+double length_of_tuple(vtkDataArray& array, vtkIdType i)
+{
+  if (array.GetNumberOfComponents() == 1)
+    return array.GetComponent(i, 0);
+  double sum = 0;
+  for (int k = 0; k < array.GetNumberOfComponents(); ++k)
+    sum += array.GetComponent(i, k) * array.GetComponent(i, k);
+  return std::sqrt(sum);
+}
+
+vtkDataArray& find_array(vtkUnstructuredGrid& bird, const std::string& name)
+{
+  if (vtkDataArray* array = bird.GetPointData()->GetArray(name.c_str()))
+    return *array;
+  std::string known;
+  for (int k = 0; k < bird.GetPointData()->GetNumberOfArrays(); ++k)
+    known += std::string(known.empty() ? "" : ", ") + bird.GetPointData()->GetArrayName(k);
+  throw InputError("cannot colour by \"" + name + "\": the bird has no such array; it has " + known);
+}
+
+std::string part_name(vtkUnstructuredGrid& bird, int part)
+{
+  auto* names = vtkStringArray::SafeDownCast(bird.GetFieldData()->GetAbstractArray("part_names"));
+  return names && part < names->GetNumberOfValues() ? names->GetValue(part) : "part_" + std::to_string(part);
+}
+
+// Half the edge of the cube that a particle stands for, a little more so that a dense bird shows no gaps.
+std::vector<float> radii_of(vtkUnstructuredGrid& bird)
+{
+  vtkDataArray& mass = find_array(bird, "mass");
+  vtkDataArray& density = find_array(bird, "density");
+  std::vector<float> radii(static_cast<std::size_t>(bird.GetNumberOfPoints()));
+  for (std::size_t i = 0; i < radii.size(); ++i) {
+    const auto k = static_cast<vtkIdType>(i);
+    radii[i] = static_cast<float>(0.62 * std::cbrt(mass.GetComponent(k, 0) / density.GetComponent(k, 0)));
+  }
+  return radii;
+}
+
+} // namespace
+
+std::vector<LegendEntry> parts_of(vtkUnstructuredGrid& bird)
+{
+  vtkDataArray& part = find_array(bird, "part");
+  std::vector<bool> there(256, false);
+  for (vtkIdType i = 0; i < part.GetNumberOfTuples(); ++i)
+    there[static_cast<std::size_t>(std::clamp(part.GetComponent(i, 0), 0.0, 255.0))] = true;
+  std::vector<LegendEntry> entries;
+  for (int k = 0; k < 256; ++k)
+    if (there[static_cast<std::size_t>(k)])
+      entries.push_back({part_name(bird, k), part_colour(part_name(bird, k), static_cast<std::size_t>(k))});
+  return entries;
+}
+
+std::array<double, 2> range_of(vtkUnstructuredGrid& bird, const std::string& array)
+{
+  vtkDataArray& values = find_array(bird, array);
+  std::array<double, 2> range{0, 0};
+  bool first = true;
+  for (vtkIdType i = 0; i < values.GetNumberOfTuples(); ++i) {
+    const double value = length_of_tuple(values, i);
+    if (!std::isfinite(value))
+      continue;
+    range = first ? std::array<double, 2>{value, value}
+                  : std::array<double, 2>{std::min(range[0], value), std::max(range[1], value)};
+    first = false;
+  }
+  return range;
+}
+
+bool is_cut(const SnapshotOptions& options)
+{
+  return options.cut.value_or(options.view == View::side && options.colour_by == "part");
+}
+
+CameraAxes camera_axes(View view)
+{
+  switch (view) {
+  case View::front:
+    return {{1, 0, 0}, {0, 0, 1}};
+  case View::top:
+    return {{0, 0, -1}, {0, 1, 0}};
+  case View::isometric: {
+    // From the bird's right, ahead of the plate and above, so that the face that is hit can be seen.
+    const Vector d = Vector(0.72, 0.62, -0.42).normalized();
+    const Vector up = (Vector::UnitZ() - d * d.z()).normalized();
+    return {{d.x(), d.y(), d.z()}, {up.x(), up.y(), up.z()}};
+  }
+  case View::side:
+    break;
+  }
+  return {{0, 1, 0}, {0, 0, 1}};
+}
+
+Scene::Scene(const SnapshotOptions& options, const Bounds& bounds, double width, double height)
+    : options_(options)
+{
+  bird_mapper_->EmissiveOff();
+  bird_mapper_->SetScaleFactor(1.0);
+  bird_mapper_->SetScaleArray("radius");
+  bird_mapper_->SetTriangleScale(1.0);
+  bird_mapper_->SetSplatShaderCode(sphere_shader);
+  bird_mapper_->SetScalarModeToUsePointFieldData();
+  bird_mapper_->SelectColorArray("colour");
+  bird_mapper_->SetColorModeToDirectScalars();
+  bird_mapper_->ScalarVisibilityOn();
+  bird_->SetMapper(bird_mapper_);
+  bird_->GetProperty()->LightingOff(); // the shader does it
+
+  target_mapper_->ScalarVisibilityOff();
+  target_->SetMapper(target_mapper_);
+  vtkProperty& look = *target_->GetProperty();
+  look.SetColor(0.74, 0.77, 0.80);
+  look.SetEdgeColor(0.45, 0.48, 0.52);
+  look.SetAmbient(0.35);
+  look.SetDiffuse(0.65);
+  look.SetLineWidth(1);
+  look.SetInterpolationToFlat();
+
+  renderer_->SetBackground(options.background[0], options.background[1], options.background[2]);
+  renderer_->AddActor(bird_);
+  renderer_->AddActor(target_);
+  place_camera(bounds, width / height);
+}
+
+Scene::~Scene() = default;
+
+void Scene::place_camera(const Bounds& bounds, double aspect)
+{
+  const CameraAxes axes = camera_axes(options_.view);
+  const Vector direction(axes.direction.data()), up(axes.up.data()), right = direction.cross(up);
+  const Vector low(bounds[0], bounds[2], bounds[4]), high(bounds[1], bounds[3], bounds[5]);
+  const Vector centre = (low + high) / 2;
+  // Half the size, along right, up and depth, of the box that the camera has to hold.
+  Vector half = Vector::Zero();
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vector p((corner & 1 ? high : low).x(), (corner & 2 ? high : low).y(),
+                   (corner & 4 ? high : low).z());
+    const Vector seen((p - centre).dot(right), (p - centre).dot(up), (p - centre).dot(direction));
+    half = half.cwiseMax(seen.cwiseAbs());
+  }
+  const double reach = std::max({half.x(), half.y(), half.z(), 1e-6});
+  vtkCamera& camera = *renderer_->GetActiveCamera();
+  const Vector eye = centre - direction * 10 * reach;
+  camera.ParallelProjectionOn();
+  camera.SetFocalPoint(centre.x(), centre.y(), centre.z());
+  camera.SetPosition(eye.x(), eye.y(), eye.z());
+  camera.SetViewUp(up.x(), up.y(), up.z());
+  camera.SetParallelScale(1.04 * std::max(half.y(), half.x() / aspect));
+  camera.SetClippingRange(1 * reach,
+                          19 * reach); // debris may leave the box towards the camera or away from it
+}
+
+void Scene::show(const Frame& frame, const std::array<double, 2>& range)
+{
+  bird_->SetVisibility(frame.bird != nullptr);
+  target_->SetVisibility(frame.target != nullptr);
+  if (frame.bird)
+    show_bird(*frame.bird, range);
+  if (frame.target)
+    show_target(*frame.target);
+}
+
+void Scene::show_bird(vtkUnstructuredGrid& bird, const std::array<double, 2>& range)
+{
+  const bool by_part = options_.colour_by == "part";
+  vtkDataArray& values = find_array(bird, options_.colour_by);
+  const std::vector<float> radii = radii_of(bird);
+  vtkSmartPointer<vtkLookupTable> map = make_colour_map(range[0], range[1]);
+  std::vector<Colour> part_colours;
+  for (int k = 0; by_part && k < 256; ++k)
+    part_colours.push_back(part_colour(part_name(bird, k), static_cast<std::size_t>(k)));
+
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToFloat();
+  vtkNew<vtkFloatArray> radius;
+  radius->SetName("radius");
+  vtkNew<vtkUnsignedCharArray> colour;
+  colour->SetName("colour");
+  colour->SetNumberOfComponents(3);
+  const bool cut = is_cut(options_);
+  for (vtkIdType i = 0; i < bird.GetNumberOfPoints(); ++i) {
+    std::array<double, 3> p{};
+    bird.GetPoint(i, p.data());
+    if ((cut && p[1] < 0) || !std::isfinite(p[0] + p[1] + p[2]))
+      continue;
+    Colour c;
+    if (by_part)
+      c = part_colours[static_cast<std::size_t>(std::clamp(values.GetComponent(i, 0), 0.0, 255.0))];
+    else
+      map->GetColor(length_of_tuple(values, i), c.data());
+    points->InsertNextPoint(p.data());
+    radius->InsertNextValue(radii[static_cast<std::size_t>(i)]);
+    for (const double part : c)
+      colour->InsertNextValue(static_cast<unsigned char>(std::lround(255 * part)));
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->GetPointData()->AddArray(radius);
+  data->GetPointData()->AddArray(colour);
+  bird_mapper_->SetInputData(data);
+}
+
+void Scene::show_target(vtkUnstructuredGrid& target)
+{
+  target_mapper_->SetInputData(make_slab(target, thickness_of(target)));
+  // Seen edge-on, the element edges would lie side by side and paint the slab black.
+  const bool edge_on = options_.view == View::side || options_.view == View::top;
+  target_->GetProperty()->SetEdgeVisibility(!edge_on);
+  if (edge_on)
+    target_->GetProperty()->SetColor(0.36, 0.39, 0.43);
+}
+
+} // namespace birdstrike

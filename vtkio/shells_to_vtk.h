@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The target as VTK data.
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+class vtkUnstructuredGrid;
+
+namespace birdstrike {
+
+struct RigidPlate;
+
+//! One quad per element, in the order of the elements; the points are where the target is now. Point array
+//! "displacement" [m] (since the start; zero here, as the plate is rigid); cell arrays those of
+//! core/fields.h; field arrays "thickness" [m] and "TimeValue" [s]. \param time  physical time of the state
+//! [s]
+vtkSmartPointer<vtkUnstructuredGrid> plate_to_vtk(const RigidPlate& plate, double time);
+
+} // namespace birdstrike

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures of a frame: particles as lit spheres in front of the plate.
+#include "vtkio/snapshot.h"
+
+#include "core/error.h"
+#include "vtkio/page.h"
+#include "vtkio/slab.h"
+#include "vtkio/text_style.h"
+#include "vtkio/write_png.h"
+
+#include <vtkImageData.h>
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
+#include <vtkTextActor.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace birdstrike {
+
+View view_from_name(const std::string& name)
+{
+  static const std::pair<const char*, View> views[] = {
+      {"side", View::side}, {"front", View::front}, {"top", View::top}, {"isometric", View::isometric}};
+  for (const auto& [known, view] : views)
+    if (name == known)
+      return view;
+  throw InputError("there is no view \"" + name + "\"; there are side, front, top, isometric");
+}
+
+Bounds bounds_of(const Frame& frame)
+{
+  constexpr double none = std::numeric_limits<double>::infinity();
+  Bounds all{none, -none, none, -none, none, -none};
+  const auto add = [&](const double* bounds) {
+    for (int k = 0; k < 3 && bounds[0] <= bounds[1]; ++k) {
+      all[2 * k] = std::min(all[2 * k], bounds[2 * k]);
+      all[2 * k + 1] = std::max(all[2 * k + 1], bounds[2 * k + 1]);
+    }
+  };
+  if (frame.bird)
+    add(frame.bird->GetBounds());
+  if (frame.target)
+    add(make_slab(*frame.target, thickness_of(*frame.target))->GetBounds());
+  return all[0] <= all[1] ? all : Bounds{-1, 1, -1, 1, -1, 1};
+}
+
+struct Snapshot::State
+{
+  State(const SnapshotOptions& chosen, const Bounds& bounds)
+      : options(chosen),
+        font(std::max(10, chosen.height / 30)),
+        page(chosen.width, chosen.height, chosen.background),
+        canvas{0, 0, chosen.width - legend_width(), chosen.height - 2.0 * font},
+        scene(chosen, bounds, canvas.width, canvas.height)
+  {
+    page.place(scene, canvas);
+    page.add_axes(options.view, canvas, 5.0 * font);
+  }
+  double legend_width() const { return options.legend ? 8.5 * font : 0; }
+
+  void add_texts(const Frame& frame, const std::array<double, 2>& range);
+
+  SnapshotOptions options;
+  int font; // height of all texts [pixel]
+  Page page;
+  Rectangle canvas; // of the scene
+  Scene scene;
+};
+
+void Snapshot::State::add_texts(const Frame& frame, const std::array<double, 2>& range)
+{
+  const Colour ink = readable_on(options.background);
+  const double top = options.height - 1.0 * font;
+  page.ground().AddActor2D(make_text(options.title, 0.6 * font, top, font, Anchor::left, ink));
+  page.ground().AddActor2D(make_text(fmt::format("t = {:.3f} ms", 1e3 * frame.time),
+                                     options.width - 0.6 * font, top, font, Anchor::right, ink));
+  if (!options.legend || !frame.bird)
+    return;
+  if (is_cut(options))
+    page.ground().AddActor2D(make_text("cut at y = 0", canvas.width + 0.4 * font, 0.06 * options.height,
+                                       font * 8 / 10, Anchor::left, ink));
+  const Rectangle place{canvas.width + 0.4 * font, 0.12 * options.height, legend_width() - 0.8 * font,
+                        0.76 * options.height};
+  if (options.colour_by == "part")
+    add_part_legend(page.ground(), place, parts_of(*frame.bird), font, ink);
+  else
+    add_scalar_bar(page.ground(), place, options.colour_by, range, font, ink);
+}
+
+Snapshot::Snapshot(const SnapshotOptions& options, const Bounds& bounds)
+{
+  check_options(options);
+  state_ = std::make_unique<State>(options, bounds);
+}
+Snapshot::~Snapshot() = default;
+Snapshot::Snapshot(Snapshot&&) noexcept = default;
+
+vtkSmartPointer<vtkImageData> Snapshot::draw(const Frame& frame)
+{
+  const SnapshotOptions& options = state_->options;
+  std::array<double, 2> range{0, 1};
+  if (frame.bird && options.colour_by != "part")
+    range = colour_range(options, range_of(*frame.bird, options.colour_by));
+  state_->scene.show(frame, range);
+  state_->page.clear_ground();
+  state_->add_texts(frame, range);
+  return state_->page.draw();
+}
+
+void Snapshot::write(const Frame& frame, const std::filesystem::path& png) { write_png(*draw(frame), png); }
+
+} // namespace birdstrike

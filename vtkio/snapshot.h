@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures of a frame: particles as lit spheres in front of the plate.
+#pragma once
+
+#include "vtkio/series_reader.h"
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+class vtkImageData;
+
+namespace birdstrike {
+
+//! Where the camera stands. Side: looks along +y, flight to the right along +x, +z up.
+//! Front: looks along +x, as the bird sees the plate. Top: looks along -z, flight to the right.
+enum class View
+{
+  side,
+  front,
+  top,
+  isometric
+};
+
+//! "side", "front", "top", "isometric". \throw InputError listing these for another name
+View view_from_name(const std::string& name);
+
+struct SnapshotOptions
+{
+  std::string colour_by = "part"; //!< "part", or a point array of the bird ("pressure", "velocity", ...)
+  std::optional<std::array<double, 2>>
+      range; //!< of that array, in its SI unit; the frame's own range otherwise
+  View view = View::side;
+  std::optional<bool> cut; //!< show only particles with y >= 0 so that inner parts are seen; otherwise: by
+                           //!< part, from the side, yes; else no
+  std::string title;       //!< top left; empty: none
+  bool legend = true;      //!< names of the parts, or the scalar bar
+  int width = 1280, height = 720;                     //!< [pixel]
+  std::array<double, 3> background = {1.0, 1.0, 1.0}; //!< red, green, blue, each 0 ... 1
+};
+
+//! x_min, x_max, y_min, y_max, z_min, z_max [m] of all that a picture has to hold.
+using Bounds = std::array<double, 6>;
+
+//! Bounds of bird and plate (with its thickness) in a frame: those of the first one hold a whole run's
+//! pictures.
+Bounds bounds_of(const Frame& frame);
+
+//! Draws one picture after another with the same camera.
+class Snapshot
+{
+public:
+  //! \param bounds  what the camera has to hold in every picture
+  //! \throw InputError if options are out of range, OutputError if there is no OpenGL
+  Snapshot(const SnapshotOptions& options, const Bounds& bounds);
+  ~Snapshot();
+  Snapshot(Snapshot&&) noexcept;
+
+  //! \throw InputError if the frame lacks the array to colour by (the message lists those that it has)
+  vtkSmartPointer<vtkImageData> draw(const Frame& frame);
+
+  //! Draw and write a PNG. \throw InputError as draw, OutputError as write_png
+  void write(const Frame& frame, const std::filesystem::path& png);
+
+private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+} // namespace birdstrike
