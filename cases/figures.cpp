@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pictures and plots of a run.
+#include "cases/figures.h"
+
+#include "core/error.h"
+#include "core/gauges/history.h"
+#include "vtkio/montage.h"
+#include "vtkio/palette.h"
+#include "vtkio/plot.h"
+#include "vtkio/snapshot.h"
+
+#include <fmt/format.h>
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fs = std::filesystem;
+
+namespace birdstrike {
+namespace {
+
+constexpr int picture_count = 8; // the start and seven later times, as figures 8.8 and 8.9
+
+//! Evenly spaced frames, the first and the last included; fewer if the series has fewer.
+std::vector<Frame> chosen_frames(const SeriesIndex& index)
+{
+  std::vector<std::size_t> steps;
+  const double first = index.steps.front().time, last = index.steps.back().time;
+  for (int k = 0; k < picture_count; ++k) {
+    const std::size_t step = index.nearest(first + (last - first) * k / (picture_count - 1));
+    if (steps.empty() || steps.back() != step)
+      steps.push_back(step);
+  }
+  std::vector<Frame> frames;
+  for (const std::size_t step : steps)
+    frames.push_back(read_frame(index, step));
+  return frames;
+}
+
+//! One scale for all pictures: up to the pressure that 98 % of the particles of the worst frame stay below,
+//! rounded up to two digits, so that a single particle does not turn everything else into one colour.
+std::array<double, 2> pressure_range(const std::vector<Frame>& frames)
+{
+  double high = 0;
+  for (const Frame& frame : frames) {
+    vtkDataArray* pressure = frame.bird ? frame.bird->GetPointData()->GetArray("pressure") : nullptr;
+    if (!pressure || pressure->GetNumberOfTuples() == 0)
+      continue;
+    std::vector<double> values(pressure->GetNumberOfTuples());
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] = pressure->GetTuple1(static_cast<vtkIdType>(i));
+    const auto rank =
+        values.begin() + static_cast<std::ptrdiff_t>(0.98 * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), rank, values.end());
+    high = std::max(high, *rank);
+  }
+  if (!(high > 0))
+    return {0, 1e6};
+  const double digit = std::pow(10.0, std::floor(std::log10(high)) - 1);
+  return {0, std::ceil(high / digit) * digit};
+}
+
+std::string to_text(const Colour& colour)
+{
+  return fmt::format("#{:02x}{:02x}{:02x}", std::lround(255 * colour[0]), std::lround(255 * colour[1]),
+                     std::lround(255 * colour[2]));
+}
+
+std::vector<double> column(const History& history, std::size_t index, double factor)
+{
+  std::vector<double> values(history.rows());
+  for (std::size_t row = 0; row < values.size(); ++row)
+    values[row] = factor * history.at(row, index);
+  return values;
+}
+
+} // namespace
+
+std::vector<fs::path> write_pictures(const fs::path& pvd, const fs::path& folder, const std::string& title)
+{
+  const std::vector<Frame> frames = chosen_frames(read_series_index(pvd));
+  require(frames.front().bird != nullptr, fmt::format("{}: there is no bird in this series", pvd.string()));
+  const Bounds bounds = bounds_of(frames.front());
+
+  SnapshotOptions by_part, by_pressure;
+  by_part.title = by_pressure.title = title;
+  by_pressure.colour_by = "pressure";
+  by_pressure.cut = true; // the load is inside
+  by_pressure.range = pressure_range(frames);
+
+  std::vector<fs::path> files;
+  for (const auto& [name, options] : {std::pair("by_part", by_part), std::pair("by_pressure", by_pressure)}) {
+    Snapshot snapshot(options, bounds);
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+      files.push_back(folder / fmt::format("{}_{}.png", name, k));
+      snapshot.write(frames[k], files.back());
+    }
+    if (frames.size() < 2)
+      continue;
+    MontageOptions montage;
+    const int width = montage.snapshot.width, height = montage.snapshot.height;
+    montage.snapshot = options;
+    montage.snapshot.width = width;
+    montage.snapshot.height = height;
+    files.push_back(folder / fmt::format("{}.png", name));
+    write_montage(frames, bounds, montage, files.back());
+  }
+  return files;
+}
+
+std::vector<fs::path> write_plots(const History& history, const History& frames, const fs::path& folder,
+                                  const std::string& title)
+{
+  std::vector<fs::path> files;
+  const std::vector<double> time = column(history, 0, 1e3);
+
+  constexpr std::string_view prefix = "max_pressure_";
+  Plot pressure{.title = title,
+                .x_label = "time [ms]",
+                .y_label = "maximum pressure [MPa]",
+                .series = {},
+                .x_range = {},
+                .y_range = {}};
+  for (std::size_t c = 0; c < history.columns.size(); ++c) {
+    const std::string& name = history.columns[c].name;
+    if (!name.starts_with(prefix))
+      continue;
+    PlotSeries series{
+        .name = name.substr(prefix.size()), .x = time, .y = column(history, c, 1e-6), .colour = ""};
+    // The whole bird is a pale band behind the parts: what carries its maximum is seen in front of it.
+    if (series.name == "all") {
+      series.name = "whole bird";
+      series.colour = "#c4c4c4";
+      series.line_width = 5;
+    } else {
+      series.colour = to_text(part_colour(series.name, pressure.series.size() - 1));
+      series.line_width = 1.3;
+    }
+    pressure.series.push_back(std::move(series));
+  }
+  if (const std::size_t c = frames.find("max_pressure_all"); c < frames.columns.size())
+    pressure.series.push_back({.name = "frames of the series",
+                               .x = column(frames, 0, 1e3),
+                               .y = column(frames, c, 1e-6),
+                               .colour = "#000000",
+                               .style = LineStyle::points});
+  if (!pressure.series.empty()) {
+    files.push_back(folder / "maximum_pressure.png");
+    write_plot(pressure, files.back());
+  }
+
+  if (const std::size_t c = history.find("contact_force_x"); c < history.columns.size()) {
+    Plot force{.title = title,
+               .x_label = "time [ms]",
+               .y_label = "contact force [kN]",
+               .series = {},
+               .x_range = {},
+               .y_range = {}};
+    force.series.push_back({.name = "", .x = time, .y = column(history, c, 1e-3), .colour = ""});
+    files.push_back(folder / "contact_force.png");
+    write_plot(force, files.back());
+  }
+  return files;
+}
+
+} // namespace birdstrike

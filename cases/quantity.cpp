@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers with a unit, by UDUNITS-2.
+#include "cases/quantity.h"
+
+#include "core/error.h"
+
+#include <fmt/format.h>
+#include <udunits2.h>
+
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <memory>
+
+namespace birdstrike {
+namespace {
+
+struct Row
+{
+  std::string_view name, article, unit, example;
+};
+// In the order of Dimension.
+constexpr std::array<Row, 7> rows{{
+    {"number", "a", "", "1.25"},
+    {"length", "a", "m", "6 mm"},
+    {"mass", "a", "kg", "4 kg"},
+    {"velocity", "a", "m/s", "150 m/s"},
+    {"time", "a", "s", "7 ms"},
+    {"pressure", "a", "Pa", "-1 MPa"},
+    {"angle", "an", "rad", "5 deg"},
+}};
+const Row& row_of(Dimension dimension) { return rows[static_cast<std::size_t>(dimension)]; }
+
+struct Free
+{
+  void operator()(ut_unit* unit) const { ut_free(unit); }
+  void operator()(cv_converter* converter) const { cv_free(converter); }
+};
+using Unit = std::unique_ptr<ut_unit, Free>;
+using Converter = std::unique_ptr<cv_converter, Free>;
+
+//! Names that people write and the database lacks.
+void add_names(ut_system* system)
+{
+  for (const auto& [name, meaning] : {std::pair("deg", "degree"), std::pair("mph", "mile/hour")})
+    if (const Unit unit{ut_parse(system, meaning, UT_UTF8)})
+      ut_map_name_to_unit(name, UT_ASCII, unit.get());
+}
+
+//! The unit database, read once. UDUNITS looks in UDUNITS2_XML_PATH, then where its package put it.
+ut_system* unit_system()
+{
+  static ut_system* const system = [] {
+    ut_set_error_message_handler(ut_ignore); // it would write to the screen; the status says enough
+    ut_system* const read = ut_read_xml(nullptr);
+    if (read)
+      add_names(read);
+    return read;
+  }();
+  if (!system)
+    throw InputError(
+        "the unit database of UDUNITS-2 is not found: install the package libudunits2-data, or set "
+        "UDUNITS2_XML_PATH to its udunits2.xml");
+  return system;
+}
+
+Unit parse_unit(const std::string& text) { return Unit(ut_parse(unit_system(), text.c_str(), UT_UTF8)); }
+
+//! A factor inside the unit ("6 5 mm", "6 mm 5") is a slip, not a unit: digits are exponents only.
+bool holds_a_factor(std::string_view unit)
+{
+  for (std::size_t i = 0; i < unit.size(); ++i)
+    if (std::isdigit(static_cast<unsigned char>(unit[i])) &&
+        (i == 0 || std::string_view(" \t.*/").find(unit[i - 1]) != std::string_view::npos))
+      return true;
+  return false;
+}
+
+std::string_view trimmed(std::string_view text)
+{
+  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front())))
+    text.remove_prefix(1);
+  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())))
+    text.remove_suffix(1);
+  return text;
+}
+
+} // namespace
+
+std::string_view si_unit(Dimension dimension) { return row_of(dimension).unit; }
+std::string_view dimension_name(Dimension dimension) { return row_of(dimension).name; }
+
+double parse_quantity(std::string_view text, Dimension dimension)
+{
+  const Row& row = row_of(dimension);
+  const auto fail = [&](const std::string& why) {
+    throw InputError(fmt::format("{} {} is needed, for example \"{}\"{}", row.article, row.name, row.example,
+                                 why.empty() ? "" : "; " + why));
+  };
+
+  std::string_view rest = trimmed(text);
+  if (!rest.empty() && rest.front() == '+')
+    rest.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
+  if (error == std::errc::result_out_of_range)
+    fail("the number is too large or too small");
+  if (error != std::errc() || !std::isfinite(value))
+    fail("it does not begin with a number");
+  const std::string unit(trimmed(rest.substr(end - rest.data())));
+
+  if (unit.empty())
+    fail("the unit is missing");
+  if (unit == row.unit) // no conversion, no rounding
+    return value;
+  const Unit from = holds_a_factor(unit) ? nullptr : parse_unit(unit);
+  if (!from)
+    fail(fmt::format("\"{}\" is not a unit{}", unit,
+                     unit.find(',') != std::string::npos ? " (decimals are written with a point)" : ""));
+  const Unit to = parse_unit(std::string(row.unit));
+  if (!to || !ut_are_convertible(from.get(), to.get()))
+    fail("");
+  const Converter converter(ut_get_converter(from.get(), to.get()));
+  if (!converter)
+    fail("");
+  const double result = cv_convert_double(converter.get(), value);
+  if (!std::isfinite(result))
+    fail("the number is too large");
+  return result;
+}
+
+std::string format_quantity(double value, Dimension dimension, std::string_view unit)
+{
+  if (dimension == Dimension::number)
+    return fmt::format("{}", value);
+  if (unit != si_unit(dimension)) {
+    const Unit from = parse_unit(std::string(si_unit(dimension))), to = parse_unit(std::string(unit));
+    const Converter converter(from && to ? ut_get_converter(from.get(), to.get()) : nullptr);
+    if (converter) {
+      // Twelve digits drop the conversion's rounding; they are kept only if they give the same value back.
+      const std::string text = fmt::format("{:.12g} {}", cv_convert_double(converter.get(), value), unit);
+      if (parse_quantity(text, dimension) == value)
+        return text;
+    }
+  }
+  return fmt::format("{} {}", value, si_unit(dimension));
+}
+
+} // namespace birdstrike

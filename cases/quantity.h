@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers with a unit, "150 m/s", to SI numbers and back.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace birdstrike {
+
+//! What a number measures. Each has one SI unit, a name for messages and an example.
+enum class Dimension
+{
+  number, //!< no unit at all
+  length,
+  mass,
+  velocity,
+  time,
+  pressure,
+  angle
+};
+
+std::string_view si_unit(Dimension dimension);        //!< "m", "kg", "m/s", "s", "Pa", "rad"; "" for a number
+std::string_view dimension_name(Dimension dimension); //!< "length", ...
+
+//! Value of \p text in SI, for example "6 mm" -> 0.006. Any unit that UDUNITS-2 knows will do: lb is a mass,
+//! kt a velocity, deg an angle. \param text       number, then a unit; the space between them may be left out
+//! \param dimension  what it has to measure
+//! \throw InputError without a place ("a length is needed, for example \"6 mm\"; ..."): no number, no unit, a
+//! unit
+//!        that is not known, a unit of the wrong kind
+double parse_quantity(std::string_view text, Dimension dimension);
+
+//! Shortest text that parse_quantity reads back to the same bits: in \p unit if that is possible, else in SI.
+std::string format_quantity(double value, Dimension dimension, std::string_view unit);
+
+} // namespace birdstrike

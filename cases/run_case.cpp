@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs a case.
+#include "cases/run_case.h"
+
+#include "cases/build_bird.h"
+#include "cases/figures.h"
+#include "cases/history_file.h"
+#include "cases/log.h"
+#include "cases/output_folder.h"
+#include "cases/progress.h"
+#include "cases/series_histories.h"
+#include "cases/summary.h"
+#include "core/simulation.h"
+#include "vtkio/atomic_file.h"
+#include "vtkio/particles_to_vtk.h"
+#include "vtkio/series_writer.h"
+#include "vtkio/shells_to_vtk.h"
+
+#include <fmt/format.h>
+#include <vtkTable.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <chrono>
+#include <sstream>
+
+#include <omp.h>
+
+namespace fs = std::filesystem;
+
+namespace birdstrike {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start)
+{
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+//! Writes what a run leaves while it goes on.
+class Recorder : public Observer
+{
+public:
+  Recorder(const fs::path& folder, Log& log)
+      : series_(folder), histories_(folder / "histories.csv"), progress_(log)
+  {
+  }
+
+  void on_step(const Simulation& run) override
+  {
+    progress_.update(run);
+    histories_.append(run.history());
+  }
+
+  void on_frame(const Simulation& run) override
+  {
+    histories_.append(run.history());
+    histories_.flush();
+    const auto bird = particles_to_vtk(run.particles(), run.time());
+    const auto target = run.plate() ? plate_to_vtk(*run.plate(), run.time()) : nullptr;
+    series_.write_frame(run.time(), *bird, target);
+  }
+
+  void finish() { progress_.finish(); }
+  const SeriesWriter& series() const { return series_; }
+
+private:
+  SeriesWriter series_;
+  HistoryFile histories_;
+  Progress progress_;
+};
+
+RigidPlate make_plate(const TargetCase& target)
+{
+  return make_rigid_plate(target.size[0], target.size[1], target.thickness, target.elements[0],
+                          target.elements[1]);
+}
+
+void say_lines(Log& log, const std::string& text)
+{
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    log.info(line);
+}
+
+void run_and_record(const Case& parsed, const RunOptions& options, Simulation& run, double density_factor,
+                    Clock::time_point start, Log& log)
+{
+  write_text_atomically(options.output / "case.toml", to_toml(parsed));
+  Recorder recorder(options.output, log);
+  try {
+    run.run(recorder);
+  } catch (...) {
+    recorder.finish(); // the message goes below the bar, not into it
+    throw;
+  }
+  recorder.finish();
+
+  RunFacts facts;
+  facts.density_factor = density_factor;
+  facts.series_bytes = recorder.series().bytes();
+  if (options.figures) {
+    log.info("drawing figures");
+    const auto figures_start = Clock::now();
+    const fs::path folder = options.output / "figures";
+    write_pictures(recorder.series().pvd(), folder, parsed.title);
+    write_plots(run.history(), to_history(*histories_of_series(recorder.series().pvd())), folder,
+                parsed.title);
+    facts.figure_seconds = seconds_since(figures_start);
+  }
+  facts.wall_seconds = seconds_since(start);
+  say_lines(log, summary_table(run, facts));
+  log.file_only(fmt::format("neighbour lists built {} times, {:.1f} neighbours a particle",
+                            run.list_rebuilds(), run.mean_neighbours()));
+  write_text_atomically(options.output / "summary.json",
+                        summary_json(run, facts)); // last: it says that the run is complete
+}
+
+} // namespace
+
+void run_case(const Case& parsed, const RunOptions& options, Log& log)
+{
+  const auto start = Clock::now();
+  log.info(parsed.title);
+  if (options.threads > 0)
+    omp_set_num_threads(options.threads); // for the fill, too
+  const BirdMesh mesh = read_bird_mesh(find_mesh(parsed), parsed.bird.mesh_unit, parsed.bird.parts, log);
+  BuiltBird bird = build_bird(parsed, mesh, log);
+  Settings settings = parsed.run;
+  settings.threads = options.threads;
+  Simulation run(std::move(bird.particles), make_plate(parsed.target), settings);
+
+  // Nothing is touched on the disk before the input is known to be right.
+  prepare_output_folder(options.output);
+  log.open(options.output / "run.log");
+  try {
+    run_and_record(parsed, options, run, bird.density_factor, start, log);
+  } catch (const std::exception& error) {
+    log.file_only(fmt::format("error: {}", error.what()));
+    throw;
+  }
+  log.info(fmt::format("results in {}", options.output.string()));
+}
+
+} // namespace birdstrike

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Scalars of a finished run.
+#include "cases/summary.h"
+
+#include "core/simulation.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <vector>
+
+namespace birdstrike {
+namespace {
+
+struct Peak
+{
+  std::string name; //!< "all" or a part
+  double value = 0, time = 0;
+};
+
+//! Largest value of every column max_pressure_<name>, and when.
+std::vector<Peak> peaks(const History& history)
+{
+  constexpr std::string_view prefix = "max_pressure_";
+  std::vector<Peak> result;
+  for (std::size_t column = 0; column < history.columns.size(); ++column) {
+    if (!history.columns[column].name.starts_with(prefix))
+      continue;
+    Peak peak{history.columns[column].name.substr(prefix.size()), -INFINITY, 0};
+    for (std::size_t row = 0; row < history.rows(); ++row)
+      if (history.at(row, column) > peak.value) {
+        peak.value = history.at(row, column);
+        peak.time = history.at(row, 0);
+      }
+    result.push_back(peak);
+  }
+  return result;
+}
+
+double largest(const History& history, const std::string& name)
+{
+  double value = 0;
+  if (const std::size_t column = history.find(name); column < history.columns.size())
+    for (std::size_t row = 0; row < history.rows(); ++row)
+      value = std::max(value, history.at(row, column));
+  return value;
+}
+
+//! Particles behind the plate's face within its outline: contact has lost them.
+std::size_t leaked_particles(const Simulation& run)
+{
+  std::size_t count = 0;
+  const Particles& p = run.particles();
+  for (std::size_t i = 0; run.plate() && i < p.size(); ++i)
+    count += p.x[i] > 0 && run.plate()->element_at(p.y[i], p.z[i]) >= 0;
+  return count;
+}
+
+double updates_per_second(const Simulation& run)
+{
+  const double seconds = run.shares().total - run.shares().writing;
+  return seconds > 0
+             ? static_cast<double>(run.particles().size()) * static_cast<double>(run.steps()) / seconds
+             : 0;
+}
+
+} // namespace
+
+std::string summary_json(const Simulation& run, const RunFacts& facts)
+{
+  const Ledger& ledger = run.ledger();
+  const double momentum = ledger.initial_momentum.norm();
+  const Vector3 along = momentum > 0 ? Vector3(ledger.initial_momentum / momentum) : Vector3::UnitX();
+  const double impulse = ledger.impulse.dot(along);
+  const Vector3 lost = ledger.initial_momentum - ledger.momentum;
+
+  nlohmann::ordered_json json;
+  json["particles"] = run.particles().size();
+  json["steps"] = run.steps();
+  json["wall_seconds"] = facts.wall_seconds;
+  json["updates_per_second"] = updates_per_second(run);
+  json["bird"] = {
+      {"mass", ledger.mass}, {"momentum", momentum}, {"final_momentum", ledger.momentum.dot(along)}};
+  json["density_factor"] = facts.density_factor;
+  json["impulse"] = impulse;
+  json["impulse_over_momentum"] = momentum > 0 ? impulse / momentum : 0;
+  json["impulse_error"] = momentum > 0 ? (lost - ledger.impulse).norm() / momentum : 0;
+  if (run.first_contact())
+    json["contact_time"] = *run.first_contact();
+  else
+    json["contact_time"] = nullptr;
+  json["energy"] = {{"initial", ledger.initial_energy},
+                    {"final", ledger.total_energy()},
+                    {"balance_error", ledger.balance_error()}};
+  for (const Peak& peak : peaks(run.history()))
+    json["peak_pressure"][peak.name] = {{"value", peak.value}, {"time", peak.time}};
+  json["peak_contact_force"] = largest(run.history(), "contact_force_x");
+  json["target"] = {{"max_deflection", 0.0},
+                    {"max_deflection_time", 0.0},
+                    {"permanent_set", 0.0},
+                    {"eroded_elements", 0},
+                    {"leaked_particles", leaked_particles(run)}};
+  const Shares& shares = run.shares();
+  json["shares"] = {{"particles", shares.particles},
+                    {"contact", shares.contact},
+                    {"gauges", shares.gauges},
+                    {"writing", shares.writing},
+                    {"figures", facts.figure_seconds}};
+  json["series_bytes"] = facts.series_bytes;
+  return json.dump(2) + "\n";
+}
+
+std::string summary_table(const Simulation& run, const RunFacts& facts)
+{
+  const Ledger& ledger = run.ledger();
+  const double momentum = ledger.initial_momentum.norm();
+  std::string text = fmt::format("{:<22} {}\n", "particles, steps",
+                                 fmt::format("{}, {}", run.particles().size(), run.steps()));
+  const auto row = [&](const std::string& name, const std::string& value) {
+    text += fmt::format("{:<22} {}\n", name, value);
+  };
+  row("wall time", fmt::format("{:.1f} s, {:.2f} million particle updates per second", facts.wall_seconds,
+                               1e-6 * updates_per_second(run)));
+  row("first contact", run.first_contact() ? fmt::format("{:.4f} ms", 1e3 * *run.first_contact()) : "none");
+  row("impulse", fmt::format("{:.2f} N s, {:.4f} of the bird's momentum", ledger.impulse.norm(),
+                             momentum > 0 ? ledger.impulse.norm() / momentum : 0));
+  row("largest force", fmt::format("{:.1f} kN", 1e-3 * largest(run.history(), "contact_force_x")));
+  row("energy balance error", fmt::format("{:.4f} %", 100 * ledger.balance_error()));
+  for (const Peak& peak : peaks(run.history()))
+    row("peak pressure " + peak.name,
+        fmt::format("{:.2f} MPa at {:.3f} ms", 1e-6 * peak.value, 1e3 * peak.time));
+  row("series", fmt::format("{:.1f} MB", 1e-6 * static_cast<double>(facts.series_bytes)));
+  text.pop_back();
+  return text;
+}
+
+} // namespace birdstrike
