@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/gauges/bird_history.h"
 #include "core/parallel.h"
+#include "core/particles/kernel.h"
 
 #include <chrono>
 
@@ -92,6 +93,7 @@ struct Simulation::State
 
   void start();
   void advance(double dt);
+  double density_after(std::size_t i, double dt) const;
   void kick(double dt);
   void predict(double dt);
   void refresh_neighbours();
@@ -127,6 +129,15 @@ void Simulation::State::advance(double dt)
   kick(0.5 * dt);
 }
 
+//! The density after \p dt, but not less than that of a particle all alone, rho0 V W(0, h0): apart from others it stands
+//! for nothing thinner. Torn matter would otherwise drift to zero and below, as h changes between parting and meeting.
+double Simulation::State::density_after(std::size_t i, double dt) const
+{
+  const double rho0 = reference_density(particles.parts[particles.part[i]].eos);
+  const double alone = particles.mass[i] * kernel(0, particles.initial_smoothing);
+  return std::max(particles.density[i] + rates.density[i] * dt, std::min(alone, 0.5 * rho0));
+}
+
 //! Velocity, density, energy and the plate's impulse by the present rates.
 void Simulation::State::kick(double dt)
 {
@@ -136,7 +147,7 @@ void Simulation::State::kick(double dt)
     p.vx[i] += rates.ax[i] * dt;
     p.vy[i] += rates.ay[i] * dt;
     p.vz[i] += rates.az[i] * dt;
-    p.density[i] += rates.density[i] * dt;
+    p.density[i] = density_after(i, dt);
     p.energy[i] += rates.energy[i] * dt;
   });
   ledger.viscous += dt * ordered_sum(p.size(), [&](std::size_t i) { return p.mass[i] * rates.viscous[i]; });
@@ -154,7 +165,7 @@ void Simulation::State::predict(double dt)
     trial_vx[i] = p.vx[i] + rates.ax[i] * dt;
     trial_vy[i] = p.vy[i] + rates.ay[i] * dt;
     trial_vz[i] = p.vz[i] + rates.az[i] * dt;
-    trial_density[i] = p.density[i] + rates.density[i] * dt;
+    trial_density[i] = density_after(i, dt);
   });
 }
 

@@ -52,7 +52,8 @@ TimeStep stable_time_step(const Particles& p, const Rates& r, const Settings& se
           c.broken = static_cast<std::int32_t>(i);
         c.size[0] = std::min(c.size[0], h / (sound + 0.6 * (alpha * sound + beta * r.approach[i])));
         c.size[1] = std::min(c.size[1], std::sqrt(h / std::sqrt(a2 + 1e-300)));
-        c.size[2] = std::min(c.size[2], largest_compression / (std::abs(r.divergence[i]) + 1e-300));
+        const double dense = std::max(p.density[i], reference_density(p.parts[p.part[i]].eos));
+        c.size[2] = std::min(c.size[2], largest_compression * dense / (std::abs(r.density[i]) + 1e-300));
         c.size[3] = std::min(c.size[3], h / std::sqrt(v2 + 1e-300));
       },
       [](Candidate& a, const Candidate& b) {
