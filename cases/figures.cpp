@@ -146,7 +146,8 @@ std::vector<fs::path> write_plots(const History& history, const History& frames,
                                .x = column(frames, 0, 1e3),
                                .y = column(frames, c, 1e-6),
                                .colour = "#000000",
-                               .style = LineStyle::points});
+                               .style = LineStyle::points,
+                               .line_width = 1});
   if (!pressure.series.empty()) {
     files.push_back(folder / "maximum_pressure.png");
     write_plot(pressure, files.back());

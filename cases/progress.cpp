@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace birdstrike {
@@ -18,6 +19,12 @@ std::string clock_text(double seconds)
   const long whole = static_cast<long>(seconds + 0.5);
   return whole < 3600 ? fmt::format("{}:{:02}", whole / 60, whole % 60)
                       : fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+int terminal_width()
+{
+  winsize size{};
+  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
 
 } // namespace
@@ -46,10 +53,16 @@ void Progress::update(const Simulation& simulation)
     return;
   last_ = Clock::now();
   drawn_ = true;
-  constexpr int width = 24;
-  const int full = std::clamp(static_cast<int>(width * done + 0.5), 0, width);
-  std::fprintf(stdout, "\r[%s%s] %s\033[K", std::string(full, '#').c_str(),
-               std::string(width - full, '.').c_str(), line(simulation).c_str());
+  // A line that wraps could not be drawn over: the bar gives way first, then the end of the text.
+  const int room = terminal_width() - 1;
+  const std::string text = line(simulation);
+  const int width = std::min(24, room - static_cast<int>(text.size()) - 3);
+  std::string drawn = text.substr(0, static_cast<std::size_t>(room));
+  if (width >= 4) {
+    const int full = std::clamp(static_cast<int>(width * done + 0.5), 0, width);
+    drawn = fmt::format("[{}{}] {}", std::string(full, '#'), std::string(width - full, '.'), text);
+  }
+  std::fprintf(stdout, "\r%s\033[K", drawn.c_str());
   std::fflush(stdout);
 }
 

@@ -67,6 +67,16 @@ ut_system* unit_system()
 
 Unit parse_unit(const std::string& text) { return Unit(ut_parse(unit_system(), text.c_str(), UT_UTF8)); }
 
+//! Units that are a whole fraction of the SI unit divide, so that 18 mm are the same bits as 0.018 m.
+double convert(const cv_converter& converter, double value)
+{
+  const double zero = cv_convert_double(&converter, 0), factor = cv_convert_double(&converter, 1);
+  const double parts = std::round(1 / factor);
+  if (zero == 0 && parts > 1 && std::abs(parts * factor - 1) < 1e-15)
+    return value / parts;
+  return cv_convert_double(&converter, value);
+}
+
 //! A factor inside the unit ("6 5 mm", "6 mm 5") is a slip, not a unit: digits are exponents only.
 bool holds_a_factor(std::string_view unit)
 {
@@ -124,7 +134,7 @@ double parse_quantity(std::string_view text, Dimension dimension)
   const Converter converter(ut_get_converter(from.get(), to.get()));
   if (!converter)
     fail("");
-  const double result = cv_convert_double(converter.get(), value);
+  const double result = convert(*converter, value);
   if (!std::isfinite(result))
     fail("the number is too large");
   return result;

@@ -28,7 +28,7 @@ inline constexpr std::array particle_fields{
     [](const Particles& p, std::size_t i, int k) { return k == 0 ? p.vx[i] : k == 1 ? p.vy[i] : p.vz[i]; }},
   Field<Particles>{"pressure", 1, "Pa", "from the equation of state, compression positive",
     [](const Particles& p, std::size_t i, int) { return p.pressure[i]; }},
-  Field<Particles>{"density", 1, "kg/m3", "from the continuity equation 4.10",
+  Field<Particles>{"density", 1, "kg/m3", "counted from the neighbours, 4.5; less than the material's at a free surface",
     [](const Particles& p, std::size_t i, int) { return p.density[i]; }},
   Field<Particles>{"internal_energy", 1, "J/kg", "specific internal energy, viscous heat included",
     [](const Particles& p, std::size_t i, int) { return p.energy[i]; }},

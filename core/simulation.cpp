@@ -9,7 +9,6 @@
 #include "core/error.h"
 #include "core/gauges/bird_history.h"
 #include "core/parallel.h"
-#include "core/particles/kernel.h"
 
 #include <chrono>
 
@@ -93,7 +92,6 @@ struct Simulation::State
 
   void start();
   void advance(double dt);
-  double density_after(std::size_t i, double dt) const;
   void kick(double dt);
   void predict(double dt);
   void refresh_neighbours();
@@ -112,7 +110,9 @@ void Simulation::State::start()
   history = make_bird_history(particles);
   refresh_neighbours();
   predict(0);
-  evaluate_rates();
+  evaluate_rates(); // finds the density,
+  predict(0);
+  evaluate_rates(); // and with it the forces
   book();
 }
 
@@ -124,21 +124,12 @@ void Simulation::State::advance(double dt)
     ledger.impulse += drift(particles, target(), dt);
   }
   refresh_neighbours();
-  predict(0.5 * dt);
+  predict(dt);
   evaluate_rates();
   kick(0.5 * dt);
 }
 
-//! The density after \p dt, but not less than that of a particle all alone, rho0 V W(0, h0): apart from others it stands
-//! for nothing thinner. Torn matter would otherwise drift to zero and below, as h changes between parting and meeting.
-double Simulation::State::density_after(std::size_t i, double dt) const
-{
-  const double rho0 = reference_density(particles.parts[particles.part[i]].eos);
-  const double alone = particles.mass[i] * kernel(0, particles.initial_smoothing);
-  return std::max(particles.density[i] + rates.density[i] * dt, std::min(alone, 0.5 * rho0));
-}
-
-//! Velocity, density, energy and the plate's impulse by the present rates.
+//! Velocity, energy and the plate's impulse by the present rates.
 void Simulation::State::kick(double dt)
 {
   const Stopwatch watch{shares.particles};
@@ -147,7 +138,6 @@ void Simulation::State::kick(double dt)
     p.vx[i] += rates.ax[i] * dt;
     p.vy[i] += rates.ay[i] * dt;
     p.vz[i] += rates.az[i] * dt;
-    p.density[i] = density_after(i, dt);
     p.energy[i] += rates.energy[i] * dt;
   });
   ledger.viscous += dt * ordered_sum(p.size(), [&](std::size_t i) { return p.mass[i] * rates.viscous[i]; });
@@ -156,16 +146,19 @@ void Simulation::State::kick(double dt)
     book_impulse(*plate, dt);
 }
 
-//! Velocity and density as they will be at the end of the step, to first order: what the rates there need.
+//! Velocity and density as they will be at the end of a step, to first order: what the rates there need.
+//! Velocities have been taken through the first half of \p dt already, densities not.
 void Simulation::State::predict(double dt)
 {
   const Stopwatch watch{shares.particles};
+  constexpr double least =
+      0.1; // of the density before; the compression limit of the time step keeps far from it
   const Particles& p = particles;
   for_each_row(p.size(), [&](std::size_t i) {
-    trial_vx[i] = p.vx[i] + rates.ax[i] * dt;
-    trial_vy[i] = p.vy[i] + rates.ay[i] * dt;
-    trial_vz[i] = p.vz[i] + rates.az[i] * dt;
-    trial_density[i] = density_after(i, dt);
+    trial_vx[i] = p.vx[i] + 0.5 * dt * rates.ax[i];
+    trial_vy[i] = p.vy[i] + 0.5 * dt * rates.ay[i];
+    trial_vz[i] = p.vz[i] + 0.5 * dt * rates.az[i];
+    trial_density[i] = std::max(p.density[i] + dt * rates.density[i], least * p.density[i]);
   });
 }
 
@@ -190,6 +183,7 @@ void Simulation::State::evaluate_rates()
   {
     const Stopwatch watch{shares.particles};
     sph.evaluate(particles, trial_vx, trial_vy, trial_vz, trial_density, neighbours, rates);
+    particles.density = rates.summed_density;
   }
   if (plate) {
     const Stopwatch watch{shares.contact};

@@ -48,10 +48,10 @@ private:
 
 } // namespace
 
-Tabulated impact_event(double z, double rho0)
+Tabulated impact_event_table(double z, double rho0)
 {
   return Tabulated(rho0, 1 / porous_water::shock_volume(z, porous_table_end), JoinedCurve(z),
-                   title("impact-event", z));
+                   title("joined impact-event", z));
 }
 
 Tabulated shock_law(double z, double rho0)

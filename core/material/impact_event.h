@@ -21,7 +21,7 @@ inline constexpr double impact_event_join = 40e6;
 //! p_H >= p_s and both rise, so does their join, whatever the porosity. Without air both curves are one.
 //! \param z    volume share of air [-]
 //! \param rho0 reference density [kg/m3]
-Tabulated impact_event(double z, double rho0);
+Tabulated impact_event_table(double z, double rho0);
 
 //! The shock curve 6.20 at every pressure.
 Tabulated shock_law(double z, double rho0);
@@ -32,14 +32,14 @@ Tabulated isentropic_law(double z, double rho0);
 struct CubicFit
 {
   CubicPolynomial law;
-  double rms_error;     //!< root mean square of the misfit to impact_event over the fitted range [Pa]
+  double rms_error;     //!< root mean square of the misfit to impact_event_table over the fitted range [Pa]
   double largest_error; //!< [Pa]
   double range;         //!< pressure up to which the fit was made [Pa]
 };
 
-//! The third-degree polynomial of section 6.3: least squares to impact_event over 0 <= p <= \p range at equal
-//! steps of density, under the condition that dp/drho > 0 throughout. The dissertation does not print its
-//! coefficients or its range; 200 MPa covers the Hugoniot pressures of z >= 0.15 up to 200 m/s.
+//! The third-degree polynomial of section 6.3: least squares to impact_event_table over 0 <= p <= \p range at
+//! equal steps of density, under the condition that dp/drho > 0 throughout. The dissertation does not print
+//! its coefficients or its range; 200 MPa covers the Hugoniot pressures of z >= 0.15 up to 200 m/s.
 CubicFit impact_event_cubic(double z, double rho0, double range = 200e6);
 
 } // namespace birdstrike

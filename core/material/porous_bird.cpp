@@ -18,9 +18,10 @@ struct NamedLaw
 };
 
 constexpr std::array laws{
-    NamedLaw{"impact-event", [](double z, double rho) -> EquationOfState { return impact_event(z, rho); }},
-    NamedLaw{"impact-event-cubic",
+    NamedLaw{"impact-event",
              [](double z, double rho) -> EquationOfState { return impact_event_cubic(z, rho).law; }},
+    NamedLaw{"impact-event-table",
+             [](double z, double rho) -> EquationOfState { return impact_event_table(z, rho); }},
     NamedLaw{"shock", [](double z, double rho) -> EquationOfState { return shock_law(z, rho); }},
     NamedLaw{"isentropic", [](double z, double rho) -> EquationOfState { return isentropic_law(z, rho); }},
 };

@@ -24,4 +24,16 @@ inline double kernel_slope(double r, double h)
   return scale * (q < 1 ? -3 + 2.25 * q : -0.75 * (2 - q) * (2 - q) / q);
 }
 
+//! sum V W over a simple cubic lattice with h = \p smoothing spacings; 1 but for the error of the sum [-].
+inline double lattice_sum(double smoothing)
+{
+  const int reach = static_cast<int>(std::ceil(2 * smoothing));
+  double sum = 0;
+  for (int i = -reach; i <= reach; ++i)
+    for (int j = -reach; j <= reach; ++j)
+      for (int k = -reach; k <= reach; ++k)
+        sum += kernel(std::sqrt(static_cast<double>(i * i + j * j + k * k)), smoothing);
+  return sum;
+}
+
 } // namespace birdstrike

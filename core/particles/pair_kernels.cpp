@@ -26,7 +26,7 @@ struct Side
 
 struct Sums
 {
-  Pack fx{}, fy{}, fz{}, gradient[9]{}, heating{}, mu{}, wall{};
+  Pack fx{}, fy{}, fz{}, gradient[9]{}, number{}, heating{}, mu{}, wall{};
 };
 
 //! Add what partner j does to the lanes i. dx ... are x_i - x_j, vx ... v_i - v_j. A lane whose support does
@@ -60,6 +60,11 @@ add_pair(Sums& sum, const Side<Pack>& i, Pack dx, Pack dy, Pack dz, Pack vx, Pac
   const Pack mu = approach * h * inverse_soft;
   const Pack viscosity = 0.25 * (i.inertia + inertia_j) * (i.limiter + limiter_j) * mu *
                          (s.beta * mu - (0.5 * s.alpha) * (i.sound_speed + sound_speed_j));
+
+  Pack value = (0.25 * a * a * a - b * b * b) * inverse_h2 * inverse_h;
+  if constexpr (mirrored)
+    value *= open;
+  sum.number += (weight_j / std::numbers::pi) * value;
 
   const Pack k = weight_j * slope;
   const Pack push = -k * (i.stress + stress_j + viscosity);
@@ -169,6 +174,7 @@ void rates_of(const Cluster& cluster, int row, int count, const std::int32_t* al
   store(out.fz + row, sum.fz, count);
   for (int c = 0; c < 9; ++c)
     store(out.gradient[c] + row, sum.gradient[c], count);
+  store(out.number + row, sum.number, count);
   store(out.heating + row, sum.heating, count);
   store(out.mu + row, sum.mu, count);
   store(out.wall + row, sum.wall, count);

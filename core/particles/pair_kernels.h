@@ -48,6 +48,7 @@ struct PairOutput
   double *fx, *fy, *fz; //!< rho0 dv/dt: - sum V_j (stress_i + stress_j + Q_ij) grad_i W_ij [N/m3]
   double*
       gradient[9]; //!< row-major: sum V_j (v_j - v_i) (x) grad_i W_ij, x times the velocity gradient [1/s]
+  double* number;  //!< sum V_j W_ij, compression before normalisation [-]
   double* heating; //!< rho0 times the viscous heating [W/m3]
   double* mu;      //!< largest approach speed |mu_ij| [m/s]
   double* wall;    //!< share of fx that came from mirror images [N/m3]

@@ -3,6 +3,7 @@
 
 #include "core/parallel.h"
 #include "core/particles/artificial_viscosity.h"
+#include "core/particles/kernel.h"
 #include "core/particles/smoothing_length.h"
 
 namespace birdstrike {
@@ -14,7 +15,8 @@ constexpr int clusters_at_once = 16;          // for one thread: enough to hide 
 
 void Rates::resize(std::size_t count)
 {
-  for (auto* array : {&ax, &ay, &az, &density, &energy, &viscous, &wall_force, &divergence, &approach})
+  for (auto* array :
+       {&ax, &ay, &az, &density, &summed_density, &energy, &viscous, &wall_force, &divergence, &approach})
     array->assign(count, 0.0);
   limiter.assign(count, 1.0);
 }
@@ -22,8 +24,8 @@ void Rates::resize(std::size_t count)
 void Rates::reorder(const std::vector<std::int32_t>& order)
 {
   std::vector<double> scratch;
-  for (auto* array :
-       {&ax, &ay, &az, &density, &energy, &viscous, &wall_force, &divergence, &approach, &limiter})
+  for (auto* array : {&ax, &ay, &az, &density, &summed_density, &energy, &viscous, &wall_force, &divergence,
+                      &approach, &limiter})
     birdstrike::reorder(*array, order, scratch);
 }
 
@@ -45,8 +47,10 @@ void SphRates::prepare(Particles& p, const std::vector<double>& vx, const std::v
 {
   const std::size_t n = p.size(), size = n + padding;
   if (x_.size() != size) {
-    for (auto* array : {&x_, &y_, &z_, &vx_, &vy_, &vz_, &h_, &weight_, &stress_, &shock_stress_,
-                        &sound_speed_, &inertia_, &limiter_, &fx_, &fy_, &fz_, &heating_, &mu_, &wall_})
+    for (auto* array : {&x_,           &y_,       &z_,       &vx_,     &vy_,
+                        &vz_,          &h_,       &weight_,  &stress_, &shock_stress_,
+                        &sound_speed_, &inertia_, &limiter_, &fx_,     &fy_,
+                        &fz_,          &number_,  &heating_, &mu_,     &wall_})
       array->assign(size, 0.0);
     for (auto& array : gradient_)
       array.assign(size, 0.0);
@@ -54,7 +58,8 @@ void SphRates::prepare(Particles& p, const std::vector<double>& vx, const std::v
   }
   const Viscosity& viscosity = settings_.viscosity;
   const bool bulk = viscosity.kind == ViscosityKind::bulk;
-  const double h0 = p.initial_smoothing;
+  const double h0 = p.initial_smoothing, cell = p.spacing * p.spacing * p.spacing;
+  const double lattice = lattice_sum(h0 / p.spacing);
   for_each_row(n, [&](std::size_t i) {
     const EquationOfState& eos = p.parts[p.part[i]].eos;
     const LawPoint point = birdstrike::evaluate(eos, density[i]);
@@ -67,11 +72,11 @@ void SphRates::prepare(Particles& p, const std::vector<double>& vx, const std::v
     vx_[i] = vx[i], vy_[i] = vy[i], vz_[i] = vz[i];
     h_[i] = p.smoothing_length[i];
     sound_speed_[i] = point.sound_speed;
-    weight_[i] = p.mass[i] / rho0;
+    weight_[i] = cell / lattice;
     inertia_[i] = rho0 / x;
     // q of 5.58 uses the rate of compression at the end of the step before.
     const double q = bulk ? bulk_viscosity(density[i], point.sound_speed, rates.divergence[i],
-                                           std::cbrt(weight_[i] / x), viscosity.linear, viscosity.quadratic)
+                                           std::cbrt(cell / x), viscosity.linear, viscosity.quadratic)
                           : 0;
     shock_stress_[i] = q / (x * x);
     stress_[i] = p.pressure[i] / (x * x) + shock_stress_[i];
@@ -86,21 +91,23 @@ void SphRates::prepare(Particles& p, const std::vector<double>& vx, const std::v
 void SphRates::finish(const Particles& p, Rates& r)
 {
   const bool bulk = settings_.viscosity.kind == ViscosityKind::bulk;
+  const double cell = p.spacing * p.spacing * p.spacing;
   for_each_row(p.size(), [&](std::size_t i) {
     std::array<double, 9> gradient;
     for (std::size_t c = 0; c < 9; ++c)
       gradient[c] = gradient_[c][i];
     const double compression_rate = -(gradient[0] + gradient[4] + gradient[8]); // D
-    const double rho0 = p.mass[i] / weight_[i], x = rho0 / inertia_[i];
+    const double rho0 = p.mass[i] / cell, x = rho0 / inertia_[i];
     r.ax[i] = fx_[i] / rho0;
     r.ay[i] = fy_[i] / rho0;
     r.az[i] = fz_[i] / rho0;
-    r.wall_force[i] = wall_[i] * weight_[i];
+    r.wall_force[i] = wall_[i] * cell;
     r.divergence[i] = -compression_rate / x;
     r.density[i] = rho0 * compression_rate;
+    r.summed_density[i] = rho0 * number_[i];
     r.viscous[i] = (heating_[i] + shock_stress_[i] * compression_rate) / rho0;
     r.energy[i] = r.viscous[i] + (stress_[i] - shock_stress_[i]) * compression_rate / rho0;
-    r.approach[i] = bulk ? std::cbrt(weight_[i] / x) * std::abs(r.divergence[i]) : mu_[i];
+    r.approach[i] = bulk ? std::cbrt(cell / x) * std::abs(r.divergence[i]) : mu_[i];
     r.limiter[i] = shear_switch(gradient);
   });
 }
@@ -114,7 +121,8 @@ void SphRates::evaluate(Particles& p, const std::vector<double>& vx, const std::
   const PairInput in{x_.data(),      y_.data(),           z_.data(),       vx_.data(),
                      vy_.data(),     vz_.data(),          h_.data(),       weight_.data(),
                      stress_.data(), sound_speed_.data(), inertia_.data(), limiter_.data()};
-  PairOutput out{fx_.data(), fy_.data(), fz_.data(), {}, heating_.data(), mu_.data(), wall_.data()};
+  PairOutput out{fx_.data(),     fy_.data(),      fz_.data(), {},
+                 number_.data(), heating_.data(), mu_.data(), wall_.data()};
   for (std::size_t c = 0; c < 9; ++c)
     out.gradient[c] = gradient_[c].data();
   const Cluster* clusters = neighbours.clusters().data();

@@ -31,14 +31,15 @@ namespace birdstrike {
 //! N rows beside those of Particles.
 struct Rates
 {
-  std::vector<double> ax, ay, az; //!< acceleration [m/s2]
-  std::vector<double> density;    //!< [kg/m3/s]
-  std::vector<double> energy;     //!< specific, viscous share included [W/kg]
-  std::vector<double> viscous;    //!< the viscous share [W/kg]
-  std::vector<double> wall_force; //!< x component of the plate's force on the particle [N]
-  std::vector<double> divergence; //!< div v [1/s]
-  std::vector<double> approach;   //!< largest |mu| of the pair viscosity, or l |div v| of 5.58 [m/s]
-  std::vector<double> limiter;    //!< factor of the pair viscosity for the next evaluation [-]
+  std::vector<double> ax, ay, az;     //!< acceleration [m/s2]
+  std::vector<double> density;        //!< [kg/m3/s]
+  std::vector<double> summed_density; //!< rho0 sum V_k W_ik [kg/m3]
+  std::vector<double> energy;         //!< specific, viscous share included [W/kg]
+  std::vector<double> viscous;        //!< the viscous share [W/kg]
+  std::vector<double> wall_force;     //!< x component of the plate's force on the particle [N]
+  std::vector<double> divergence;     //!< div v [1/s]
+  std::vector<double> approach;       //!< largest |mu| of the pair viscosity, or l |div v| of 5.58 [m/s]
+  std::vector<double> limiter;        //!< factor of the pair viscosity for the next evaluation [-]
 
   void resize(std::size_t count);
   void reorder(const std::vector<std::int32_t>& order);
@@ -64,7 +65,7 @@ private:
   PairSettings pair_settings_;
   std::vector<double> x_, y_, z_, vx_, vy_, vz_, h_, weight_, stress_, shock_stress_, sound_speed_, inertia_,
       limiter_;
-  std::vector<double> fx_, fy_, fz_, gradient_[9], heating_, mu_, wall_;
+  std::vector<double> fx_, fy_, fz_, gradient_[9], number_, heating_, mu_, wall_;
 
   void prepare(Particles& particles, const std::vector<double>& vx, const std::vector<double>& vy,
                const std::vector<double>& vz, const std::vector<double>& density, const Rates& rates);

@@ -103,7 +103,7 @@ TEST_CASE("parts keep the order of the file", "[cases][case]")
   CHECK(parsed.bird.parts[2].name == "neck");
 }
 
-TEST_CASE("--set replaces and adds keys", "[cases][case]")
+TEST_CASE("overrides replace and add keys", "[cases][case]")
 {
   const scratch::Folder folder;
   const fs::path file = folder.write("case.toml", box_case);

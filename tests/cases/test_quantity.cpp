@@ -12,6 +12,8 @@ using namespace birdstrike;
 TEST_CASE("quantities become SI numbers", "[cases][units]")
 {
   CHECK(parse_quantity("6 mm", Dimension::length) == 0.006);
+  CHECK(parse_quantity("18 mm", Dimension::length) == 0.018);
+  CHECK(parse_quantity("0.3 us", Dimension::time) == 0.3e-6);
   CHECK(parse_quantity("6mm", Dimension::length) == 0.006);
   CHECK(parse_quantity("  +2.5e-1 m ", Dimension::length) == 0.25);
   CHECK(parse_quantity("1 in", Dimension::length) == Approx(0.0254).epsilon(1e-14));

@@ -109,7 +109,7 @@ TEST_CASE("the impact-event law is the isentrope below 40 MPa and the shock curv
 {
   for (const double z : {0.1, 0.4, 0.8}) {
     const double rho0 = porous_density(z);
-    const Tabulated law = impact_event(z, rho0);
+    const Tabulated law = impact_event_table(z, rho0);
     for (const double p : {0.5e6, 5e6, 15e6}) {
       const double volume = porous_water::isentrope_volume(z, p);
       if (volume < porous_water::shock_volume(z, 40e6))
@@ -127,7 +127,7 @@ TEST_CASE("the impact-event law is the isentrope below 40 MPa and the shock curv
 
 TEST_CASE("without air the impact-event law is water of 6.9", "[eos][analytic]")
 {
-  const Tabulated law = impact_event(0, 1000);
+  const Tabulated law = impact_event_table(0, 1000);
   const Murnaghan water{1000, 1000 * 1482.9 * 1482.9 / 7, 7};
   for (const double x : {1.01, 1.05, 1.119, 1.2})
     CHECK(law.at(1000 * x).pressure == Approx(water.at(1000 * x).pressure).epsilon(1e-5));
@@ -138,7 +138,7 @@ TEST_CASE("the cubic fit rises throughout and says how far it is off", "[eos]")
   for (const double z : {0.0, 0.1, 0.2, 0.4, 0.6, 0.8}) {
     const CubicFit fit = impact_event_cubic(z, porous_density(z));
     CHECK(fit.law.is_monotonic());
-    const Tabulated joined = impact_event(z, porous_density(z));
+    const Tabulated joined = impact_event_table(z, porous_density(z));
     double largest = 0;
     for (int k = 0; k <= 300; ++k) {
       const double rho = porous_density(z) * (1 + fit.law.mu_max * k / 300);

@@ -50,7 +50,7 @@ TEST_CASE("free flight keeps velocity, shape and energy", "[simulation][analytic
   const auto row = s.particles().row_of_id();
   for (std::size_t i = 0; i < before.size(); ++i) {
     const auto k = static_cast<std::size_t>(row[i]);
-    CHECK(s.particles().vx[k] == 150);
+    CHECK(s.particles().vx[k] == Approx(150).epsilon(1e-12));
     CHECK(s.particles().x[k] == Approx(before.x[i] + 0.15).margin(1e-12));
     CHECK(s.particles().z[k] == Approx(before.z[i] - 0.007).margin(1e-12));
   }
@@ -91,7 +91,7 @@ TEST_CASE("a plane wave against the plate has the Rankine-Hugoniot pressure", "[
   // plateau.
   const double u = 200, spacing = 1e-3;
   const int layers = 60;
-  for (const double z : {0.0, 0.1}) {
+  for (const double z : {0.0, 0.3, 0.6}) {
     INFO("z = " << z);
     const double rho0 = porous_density(z);
     const EquationOfState eos = make_porous_law("impact-event", z, rho0);

@@ -126,7 +126,7 @@ TEST_CASE("every instruction set gives the sums as written down plainly", "[sph]
   for (const PairKernels* kernels : available_pair_kernels()) {
     INFO(kernels->name);
     Particles p = samples::shaken_block(7, 2e-3, 14);
-    const double rho0 = reference_density(p.parts[0].eos);
+    const double rho0 = reference_density(p.parts[0].eos), lattice = lattice_sum(1.25);
     const Rates rates = samples::rates_of(p, settings, nullptr, *kernels);
     for (std::size_t i = 0; i < p.size(); i += 5) {
       Vector3 force = Vector3::Zero();
@@ -136,7 +136,7 @@ TEST_CASE("every instruction set gives the sums as written down plainly", "[sph]
         const double h = 0.5 * (p.smoothing_length[i] + p.smoothing_length[j]);
         const Vector3 gradient = kernel_slope(d.norm(), h) * d;
         const double mu = h * std::min(0.0, d.dot(v)) / (d.squaredNorm() + 0.01 * h * h);
-        const double xi = p.density[i] / rho0, xj = p.density[j] / rho0, volume = p.mass[j] / rho0;
+        const double xi = p.density[i] / rho0, xj = p.density[j] / rho0, volume = p.mass[j] / rho0 / lattice;
         const double q =
             0.5 * (rho0 / xi + rho0 / xj) * (-0.5 * (p.sound_speed[i] + p.sound_speed[j]) * mu + 2 * mu * mu);
         force -= volume * (p.pressure[i] / (xi * xi) + p.pressure[j] / (xj * xj) + q) * gradient;
