@@ -18,7 +18,7 @@ void add_render_command(CLI::App& program)
   struct Options
   {
     std::filesystem::path series, output;
-    std::string title;
+    std::string title, view = "side";
     bool quiet = false;
   };
   auto options = std::make_shared<Options>();
@@ -26,10 +26,11 @@ void add_render_command(CLI::App& program)
   command->add_option("RUN.pvd", options->series, "Series of a run")->required();
   command->add_option("-o,--output", options->output, "Folder of the pictures")->required();
   command->add_option("--title", options->title, "Printed on the pictures");
+  command->add_option("--view", options->view, "side, front, top or isometric")->capture_default_str();
   command->add_flag("--quiet", options->quiet, "Do not list the files written");
   command->callback([options] {
     std::vector<std::filesystem::path> files =
-        write_pictures(options->series, options->output, options->title);
+        write_pictures(options->series, options->output, options->title, view_from_name(options->view));
     const std::vector<std::filesystem::path> plots =
         write_plots(to_history(*histories_of_series(options->series)), {}, options->output, options->title);
     files.insert(files.end(), plots.begin(), plots.end());

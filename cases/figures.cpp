@@ -7,7 +7,6 @@
 #include "vtkio/montage.h"
 #include "vtkio/palette.h"
 #include "vtkio/plot.h"
-#include "vtkio/snapshot.h"
 
 #include <fmt/format.h>
 #include <vtkDataArray.h>
@@ -79,7 +78,8 @@ std::vector<double> column(const History& history, std::size_t index, double fac
 
 } // namespace
 
-std::vector<fs::path> write_pictures(const fs::path& pvd, const fs::path& folder, const std::string& title)
+std::vector<fs::path> write_pictures(const fs::path& pvd, const fs::path& folder, const std::string& title,
+                                     View view)
 {
   const std::vector<Frame> frames = chosen_frames(read_series_index(pvd));
   require(frames.front().bird != nullptr, fmt::format("{}: there is no bird in this series", pvd.string()));
@@ -88,7 +88,8 @@ std::vector<fs::path> write_pictures(const fs::path& pvd, const fs::path& folder
   SnapshotOptions by_part, by_pressure;
   by_part.title = by_pressure.title = title;
   by_pressure.colour_by = "pressure";
-  by_pressure.cut = true; // the load is inside
+  by_part.view = by_pressure.view = view;
+  by_pressure.cut = view == View::side; // the load is inside
   by_pressure.range = pressure_range(frames);
 
   std::vector<fs::path> files;
@@ -107,6 +108,13 @@ std::vector<fs::path> write_pictures(const fs::path& pvd, const fs::path& folder
     montage.snapshot.height = height;
     files.push_back(folder / fmt::format("{}.png", name));
     write_montage(frames, bounds, montage, files.back());
+  }
+  if (view == View::side && frames.size() > 1) { // the wings are seen edge on from the side
+    MontageOptions overview;
+    overview.snapshot.view = View::isometric;
+    overview.snapshot.title = title;
+    files.push_back(folder / "overview.png");
+    write_montage(frames, bounds, overview, files.back());
   }
   return files;
 }
