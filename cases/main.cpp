@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program birdstrike: picks the command, and turns failures into a message and an exit status.
 #include "cases/commands.h"
+#include "cases/share_processor.h"
 #include "core/error.h"
 
 #include <CLI/CLI.hpp>
@@ -12,6 +13,7 @@
 int main(int argc, char** argv)
 {
   using namespace birdstrike;
+  sleep_at_barriers(argv);
   CLI::App program(
       "Bird strike by smoothed particle hydrodynamics: from a CAD mesh of a bird to its impact, a ParaView "
       "series, histories and pictures.",

@@ -28,6 +28,7 @@ constexpr std::array own_files{
     "run.log",
     "frames/bird_*.vtu",
     "frames/target_*.vtu",
+    "figures/overview.png",
     "figures/by_part.png",
     "figures/by_pressure.png",
     "figures/by_part_*.png",
