@@ -56,8 +56,9 @@ TEST_CASE("the main job leaves everything that it promises", "[cases][run]")
     for (const char* name :
          {"case.toml", "run.pvd", "frames/bird_0000.vtu", "frames/bird_0014.vtu", "frames/target_0014.vtu",
           "histories.csv", "summary.json", "run.log", "figures/by_part_0.png", "figures/by_part_7.png",
-          "figures/by_part.png", "figures/overview.png", "figures/by_pressure_0.png", "figures/by_pressure_7.png",
-          "figures/by_pressure.png", "figures/maximum_pressure.png", "figures/contact_force.png"})
+          "figures/by_part.png", "figures/overview.png", "figures/by_pressure_0.png",
+          "figures/by_pressure_7.png", "figures/by_pressure.png", "figures/maximum_pressure.png",
+          "figures/contact_force.png"})
     {
       INFO(name);
       CHECK(fs::exists(out / name));
