@@ -26,7 +26,7 @@ struct Field
 inline constexpr std::array particle_fields{
   Field<Particles>{"velocity", 3, "m/s", "particle velocity in the laboratory frame",
     [](const Particles& p, std::size_t i, int k) { return k == 0 ? p.vx[i] : k == 1 ? p.vy[i] : p.vz[i]; }},
-  Field<Particles>{"pressure", 1, "Pa", "from the equation of state, compression positive",
+  Field<Particles>{"pressure", 1, "Pa", "from the equation of state and the density carried to this time, compression positive",
     [](const Particles& p, std::size_t i, int) { return p.pressure[i]; }},
   Field<Particles>{"density", 1, "kg/m3", "counted from the neighbours, 4.5; less than the material's at a free surface",
     [](const Particles& p, std::size_t i, int) { return p.density[i]; }},

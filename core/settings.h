@@ -33,8 +33,10 @@ struct Settings
   int frames = 60;      //!< states handed to the observer after the one at t = 0, at equal intervals
   double courant = 0.5; //!< share of the stability limit of time_step.h [-]
   Viscosity viscosity;
-  double tension_cutoff = 0;     //!< lowest pressure that a particle can carry, <= 0 [Pa]
-  double smoothing_shrink = 0.3; //!< h is kept above this share of its first value [-]
+  double tension_cutoff = 0; //!< lowest pressure that a particle can carry, <= 0 [Pa]
+  double smoothing_shrink =
+      1.0; //!< h is kept above this share of its first value; 1: constant h, whose sums conserve
+           //!< the energy of the law exactly (see sph_rates.h) [-]
   double smoothing_growth = 1.0; //!< h is kept below this share of its first value [-]
   std::optional<PeriodicBox> periodic;
   int threads = 0; //!< 0: all that there are

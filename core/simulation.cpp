@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The explicit cycle of section 5.3 and figure 3.2. Velocities, density and energy are taken to the middle of
-// the step with the rates at its start, positions to its end with the velocities in the middle (5.13, 5.14),
-// and the rest of the way with the rates at the end, which are found once a step from a trial state carried
-// there.
+// The explicit cycle of section 5.3 and figure 3.2. Velocities and energy are taken to the middle of the step with the
+// rates at its start, positions to its end with the velocities in the middle (5.13, 5.14), and the rest of the way with
+// the rates at the end, which are found once a step from velocities and densities carried there.
 #include "core/simulation.h"
 
 #include "core/contact/mirror_contact.h"
 #include "core/error.h"
 #include "core/gauges/bird_history.h"
 #include "core/parallel.h"
+#include "core/particles/smoothing_length.h"
 
 #include <chrono>
 
@@ -74,7 +74,7 @@ struct Simulation::State
   Ledger ledger;
   Shares shares;
   double time = 0;
-  TimeStep step;
+  TimeStep stable, step; // the second is shortened where a frame asks for it
   long steps = 0;
   std::optional<double> first_contact;
 
@@ -108,8 +108,9 @@ void Simulation::State::start()
   ledger.initial_momentum = total_momentum(particles);
   ledger.initial_energy = kinetic_energy(particles) + internal_energy(particles);
   history = make_bird_history(particles);
-  refresh_neighbours();
+  require_finite(particles, rates, time);
   predict(0);
+  refresh_neighbours();
   evaluate_rates(); // finds the density,
   predict(0);
   evaluate_rates(); // and with it the forces
@@ -121,10 +122,10 @@ void Simulation::State::advance(double dt)
   kick(0.5 * dt);
   {
     const Stopwatch watch{shares.contact};
-    ledger.impulse += drift(particles, target(), dt);
+    ledger.impulse += drift(particles, target(), dt, settings.periodic.has_value());
   }
-  refresh_neighbours();
   predict(dt);
+  refresh_neighbours();
   evaluate_rates();
   kick(0.5 * dt);
 }
@@ -146,19 +147,22 @@ void Simulation::State::kick(double dt)
     book_impulse(*plate, dt);
 }
 
-//! Velocity and density as they will be at the end of a step, to first order: what the rates there need.
+//! Velocity, density and with it h as they will be at the end of a step, to first order: what the rates there need.
 //! Velocities have been taken through the first half of \p dt already, densities not.
 void Simulation::State::predict(double dt)
 {
   const Stopwatch watch{shares.particles};
   constexpr double least =
       0.1; // of the density before; the compression limit of the time step keeps far from it
-  const Particles& p = particles;
+  Particles& p = particles;
   for_each_row(p.size(), [&](std::size_t i) {
     trial_vx[i] = p.vx[i] + 0.5 * dt * rates.ax[i];
     trial_vy[i] = p.vy[i] + 0.5 * dt * rates.ay[i];
     trial_vz[i] = p.vz[i] + 0.5 * dt * rates.az[i];
     trial_density[i] = std::max(p.density[i] + dt * rates.density[i], least * p.density[i]);
+    p.smoothing_length[i] =
+        smoothing_length(p.initial_smoothing, reference_density(p.parts[p.part[i]].eos), trial_density[i],
+                         settings.smoothing_shrink, settings.smoothing_growth);
   });
 }
 
@@ -175,6 +179,9 @@ void Simulation::State::refresh_neighbours()
   const std::vector<std::int32_t>& order = neighbours.sort(particles);
   reorder(particles, order);
   rates.reorder(order);
+  std::vector<double> scratch;
+  for (auto* array : {&trial_vx, &trial_vy, &trial_vz, &trial_density})
+    reorder(*array, order, scratch);
   neighbours.build(particles);
 }
 
@@ -184,6 +191,7 @@ void Simulation::State::evaluate_rates()
     const Stopwatch watch{shares.particles};
     sph.evaluate(particles, trial_vx, trial_vy, trial_vz, trial_density, neighbours, rates);
     particles.density = rates.summed_density;
+    require_finite(particles, rates, time);
   }
   if (plate) {
     const Stopwatch watch{shares.contact};
@@ -219,7 +227,7 @@ void Simulation::run(Observer& observer)
 {
   State& s = *state_;
   const Stopwatch watch{s.shares.total};
-  const int threads = s.settings.threads > 0 ? s.settings.threads : omp_get_num_procs();
+  const int threads = s.settings.threads > 0 ? s.settings.threads : omp_get_max_threads();
   omp_set_num_threads(threads);
   const auto hand_out_frame = [&] {
     const Stopwatch writing{s.shares.writing};
@@ -231,9 +239,10 @@ void Simulation::run(Observer& observer)
   for (int frame = 1; frame <= s.settings.frames; ++frame) {
     const double frame_time = s.settings.end_time * frame / s.settings.frames;
     while (s.time < frame_time) {
-      const TimeStep stable = stable_time_step(s.particles, s.rates, s.settings, s.step, s.time);
-      s.step = fit_to_frame(stable, frame_time - s.time);
-      s.time = s.step.size >= frame_time - s.time ? frame_time : s.time + s.step.size;
+      s.stable = stable_time_step(s.particles, s.rates, s.settings, s.stable, s.time);
+      const double left = frame_time - s.time;
+      s.step = {fit_to_frame(s.stable.size, left), s.stable.limit};
+      s.time = s.step.size >= left ? frame_time : s.time + s.step.size;
       s.advance(s.step.size);
       ++s.steps;
       s.book();

@@ -18,7 +18,6 @@ constexpr double largest_compression = 0.1; // of the density in one step [-]
 struct Candidate
 {
   std::array<double, 4> size{1e300, 1e300, 1e300, 1e300};
-  std::int32_t broken = -1; // row of the first particle that is not finite
 };
 
 [[noreturn]] void report_broken(const Particles& p, std::size_t i, double time)
@@ -30,6 +29,17 @@ struct Candidate
       "pressure %.4g Pa, speed %.4g m/s; try a smaller run.courant or more viscosity",
       p.id[i], p.parts[p.part[i]].name.c_str(), time, p.x[i], p.y[i], p.z[i], p.density[i], p.pressure[i],
       p.velocity(i).norm());
+  throw RunError(text);
+}
+
+[[noreturn]] void report_vanished(const TimeStep& step, double time)
+{
+  char text[200];
+  std::snprintf(
+      text, sizeof text,
+      "the time step fell to %.3g s at t = %.6g s (limit: %s); the run cannot go on: try more viscosity or a "
+      "lower bird.velocity",
+      step.size, time, std::string(step.limit).c_str());
   throw RunError(text);
 }
 
@@ -45,11 +55,6 @@ TimeStep stable_time_step(const Particles& p, const Rates& r, const Settings& se
         const double h = p.smoothing_length[i], sound = p.sound_speed[i];
         const double a2 = r.ax[i] * r.ax[i] + r.ay[i] * r.ay[i] + r.az[i] * r.az[i];
         const double v2 = p.vx[i] * p.vx[i] + p.vy[i] * p.vy[i] + p.vz[i] * p.vz[i];
-        // Positive density and finite everything; a NaN anywhere makes the sum one.
-        const double all =
-            p.x[i] + p.y[i] + p.z[i] + a2 + v2 + sound + r.energy[i] + r.density[i] + p.energy[i];
-        if (c.broken < 0 && !(std::isfinite(all) && p.density[i] > 0))
-          c.broken = static_cast<std::int32_t>(i);
         c.size[0] = std::min(c.size[0], h / (sound + 0.6 * (alpha * sound + beta * r.approach[i])));
         c.size[1] = std::min(c.size[1], std::sqrt(h / std::sqrt(a2 + 1e-300)));
         const double dense = std::max(p.density[i], reference_density(p.parts[p.part[i]].eos));
@@ -59,10 +64,7 @@ TimeStep stable_time_step(const Particles& p, const Rates& r, const Settings& se
       [](Candidate& a, const Candidate& b) {
         for (std::size_t k = 0; k < a.size.size(); ++k)
           a.size[k] = std::min(a.size[k], b.size[k]);
-        a.broken = a.broken < 0 ? b.broken : a.broken;
       });
-  if (best.broken >= 0)
-    report_broken(p, static_cast<std::size_t>(best.broken), time);
 
   TimeStep step{1e300, "sound"};
   for (std::size_t k = 0; k < limits.size(); ++k) {
@@ -70,22 +72,36 @@ TimeStep stable_time_step(const Particles& p, const Rates& r, const Settings& se
     if (size < step.size)
       step = {size, limits[k]};
   }
-  if (last.size > 0 && last.limit != "frame" && step.size > largest_growth * last.size)
+  if (last.size > 0 && step.size > largest_growth * last.size)
     step = {largest_growth * last.size, "growth"};
   if (!(step.size > 1e-12 * settings.end_time))
-    throw RunError("the time step fell to " + std::to_string(step.size) + " s (limit: " +
-                   std::string(step.limit) + ") at t = " + std::to_string(time) + " s; the run cannot go on");
+    report_vanished(step, time);
   return step;
 }
 
-TimeStep fit_to_frame(const TimeStep& step, double left)
+double fit_to_frame(double size, double left)
 {
-  if (step.size >= left)
-    return {left, "frame"};
+  if (size >= left)
+    return left;
   // Two even steps rather than a full one and a tiny rest.
-  if (2 * step.size > left)
-    return {0.5 * left, "frame"};
-  return step;
+  return 2 * size > left ? 0.5 * left : size;
+}
+
+void require_finite(const Particles& p, const Rates& r, double time)
+{
+  const std::ptrdiff_t broken = ordered_reduce(
+      p.size(), std::ptrdiff_t{-1},
+      [&](std::ptrdiff_t& first, std::size_t i) {
+        // A NaN or an infinity anywhere makes the sum one.
+        const double all = p.x[i] + p.y[i] + p.z[i] + p.vx[i] + p.vy[i] + p.vz[i] + p.energy[i] +
+                           p.pressure[i] + p.sound_speed[i] + r.ax[i] + r.ay[i] + r.az[i] + r.energy[i] +
+                           r.density[i];
+        if (first < 0 && !(std::isfinite(all) && p.density[i] > 0))
+          first = static_cast<std::ptrdiff_t>(i);
+      },
+      [](std::ptrdiff_t& a, std::ptrdiff_t b) { a = a < 0 ? b : a; });
+  if (broken >= 0)
+    report_broken(p, static_cast<std::size_t>(broken), time);
 }
 
 } // namespace birdstrike

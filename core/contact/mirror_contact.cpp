@@ -31,7 +31,7 @@ void book_impulse(RigidPlate& plate, double duration)
     plate.impulse[e] += plate.force[e] * duration;
 }
 
-Vector3 drift(Particles& p, RigidPlate* plate, double duration)
+Vector3 drift(Particles& p, RigidPlate* plate, double duration, bool endless)
 {
   for_each_row(p.size(), [&](std::size_t i) {
     p.x[i] += p.vx[i] * duration;
@@ -46,8 +46,12 @@ Vector3 drift(Particles& p, RigidPlate* plate, double duration)
     if (p.x[i] < 0 || before >= 0)
       continue;
     const double share = p.x[i] / (p.x[i] - before); // of the way, beyond the plate
-    const int element =
-        plate->element_at(p.y[i] - share * p.vy[i] * duration, p.z[i] - share * p.vz[i] * duration);
+    double y = p.y[i] - share * p.vy[i] * duration, z = p.z[i] - share * p.vz[i] * duration;
+    if (endless) {
+      y = std::clamp(y, -0.5 * plate->size_y, 0.5 * plate->size_y);
+      z = std::clamp(z, -0.5 * plate->size_z, 0.5 * plate->size_z);
+    }
+    const int element = plate->element_at(y, z);
     if (element < 0)
       continue;
     const Vector3 push{2 * p.mass[i] * p.vx[i], 0, 0};

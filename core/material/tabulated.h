@@ -40,7 +40,7 @@ public:
     const double last = static_cast<double>(nodes_->size() / 2 - 1);
     const double* n = nodes_->data();
     double p, slope; // slope per interval
-    if (s <= 0) {
+    if (!(s > 0)) {  // a NaN, too, which must not become an index
       slope = n[1];
       p = slope * s;
     } else if (s >= last) {

@@ -67,7 +67,8 @@ bool Neighbours::is_stale(const Particles& p) const
         most = std::max(most, std::sqrt(dx * dx + dy * dy + dz * dz) + growth - (reach_[i] - h_[i]));
       },
       [](double& a, double b) { a = std::max(a, b); });
-  return !(excess < 0);
+  // A NaN hides from max(), but not from the means; sort() then names the particle.
+  return !(excess < 0) || !std::isfinite(mean_x + mean_y + mean_z);
 }
 
 int Neighbours::pencil_at(double value, double origin, double width, int count) const

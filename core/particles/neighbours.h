@@ -12,7 +12,7 @@ namespace birdstrike {
 
 //! Particles are sorted into square pencils along x (two spacings wide, ordered by y, then z) and along x
 //! within a pencil, so that eight consecutive ones are close to each other. The list holds every pair within
-//! h_i + h_j + skin and is used again until motion could have brought a pair in from outside: that is
+//! h_i + h_j + skin_i + skin_j and is used again until motion could have brought a pair in from outside: that is
 //! measured against the bird's mean motion, so free flight costs no rebuild.
 class Neighbours
 {

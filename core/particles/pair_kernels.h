@@ -35,7 +35,7 @@ struct PairInput
 {
   const double *x, *y, *z, *vx, *vy, *vz; //!< [m], [m/s]
   const double* h;                        //!< smoothing length [m]
-  const double* weight;                   //!< V = m / rho0 [m3]
+  const double* weight;                   //!< V = m / rho0 over the lattice's sum V W [m3]
   const double* stress;                   //!< (p + q) / x^2, x = rho / rho0 [Pa]
   const double* sound_speed;              //!< [m/s]
   const double* inertia;                  //!< rho / x^2, what stands in Q_ij for the density [kg/m3]
@@ -48,7 +48,7 @@ struct PairOutput
   double *fx, *fy, *fz; //!< rho0 dv/dt: - sum V_j (stress_i + stress_j + Q_ij) grad_i W_ij [N/m3]
   double*
       gradient[9]; //!< row-major: sum V_j (v_j - v_i) (x) grad_i W_ij, x times the velocity gradient [1/s]
-  double* number;  //!< sum V_j W_ij, compression before normalisation [-]
+  double* number;  //!< sum V_j W_ij, the compression [-]
   double* heating; //!< rho0 times the viscous heating [W/m3]
   double* mu;      //!< largest approach speed |mu_ij| [m/s]
   double* wall;    //!< share of fx that came from mirror images [N/m3]

@@ -38,6 +38,7 @@ Particles make_particles(std::vector<Part> parts, const std::vector<Seed>& seeds
   p.initial_smoothing = smoothing * spacing;
   p.resize(seeds.size());
   std::iota(p.id.begin(), p.id.end(), 0);
+  std::vector<bool> filled(p.parts.size(), false);
   for (std::size_t i = 0; i < seeds.size(); ++i) {
     const Seed& seed = seeds[i];
     require(seed.part < p.parts.size(), "particle " + std::to_string(i) + " names part " +
@@ -54,7 +55,10 @@ Particles make_particles(std::vector<Part> parts, const std::vector<Seed>& seeds
     p.sound_speed[i] = evaluate(eos, rho).sound_speed;
     p.smoothing_length[i] = p.initial_smoothing;
     p.part[i] = seed.part;
+    filled[seed.part] = true;
   }
+  for (std::size_t k = 0; k < filled.size(); ++k)
+    require(filled[k], "part " + p.parts[k].name + " has no particle");
   return p;
 }
 

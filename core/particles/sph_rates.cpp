@@ -4,7 +4,6 @@
 #include "core/parallel.h"
 #include "core/particles/artificial_viscosity.h"
 #include "core/particles/kernel.h"
-#include "core/particles/smoothing_length.h"
 
 namespace birdstrike {
 
@@ -58,16 +57,14 @@ void SphRates::prepare(Particles& p, const std::vector<double>& vx, const std::v
   }
   const Viscosity& viscosity = settings_.viscosity;
   const bool bulk = viscosity.kind == ViscosityKind::bulk;
-  const double h0 = p.initial_smoothing, cell = p.spacing * p.spacing * p.spacing;
-  const double lattice = lattice_sum(h0 / p.spacing);
+  const double cell = p.spacing * p.spacing * p.spacing;
+  const double lattice = lattice_sum(p.initial_smoothing / p.spacing);
   for_each_row(n, [&](std::size_t i) {
     const EquationOfState& eos = p.parts[p.part[i]].eos;
     const LawPoint point = birdstrike::evaluate(eos, density[i]);
     const double rho0 = reference_density(eos), x = density[i] / rho0;
     p.pressure[i] = std::max(point.pressure, settings_.tension_cutoff);
     p.sound_speed[i] = point.sound_speed;
-    p.smoothing_length[i] =
-        smoothing_length(h0, rho0, density[i], settings_.smoothing_shrink, settings_.smoothing_growth);
     x_[i] = p.x[i], y_[i] = p.y[i], z_[i] = p.z[i];
     vx_[i] = vx[i], vy_[i] = vy[i], vz_[i] = vz[i];
     h_[i] = p.smoothing_length[i];

@@ -1,25 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rates of change of the particles: 4.10, 4.11 and 4.12 in terms of the number of particles in a place.
 //
-// Every particle k stands for one cell of the lattice at the start, V_k = m_k / rho0_k, and x_k = rho_k /
-// rho0_k is its compression. With s = (p + q) / x^2,
+// Every particle k stands for one cell of the lattice at the start, V_k = m_k / rho0_k, and x_k = rho_k / rho0_k is
+// its compression. With s = (p + q) / x^2,
 //   dx_i/dt = D_i = sum V_k (v_i - v_k) . grad_i W_ik                       drho/dt = rho0 D
 //   dv_i/dt = -(1/rho0_i) sum V_k (s_i + s_k + Q_ik) grad_i W_ik
 //   de_i/dt =  (1/rho0_i) sum V_k (s_i + Q_ik / 2) (v_i - v_k) . grad_i W_ik
-// In one material these are 4.10 to 4.12 exactly, because m_k = rho0 V_k for all. Across an interface 4.10 is
-// wrong by the ratio of the densities, as it weighs the partner's mass against the particle's own density;
-// counting cells is not. Sources: X. Y. Hu, N. A. Adams, J. Comput. Phys. 213 (2006) 844; F. Ott, E.
-// Schnetter, arXiv:physics/0303112.
+// where V_k is divided by sum V W of the undisturbed lattice, 0.9985 at h = 1.25 spacings, so that x = 1 there.
+// In one material these are 4.10 to 4.12, because m_k = rho0 V_k for all. Across an interface 4.10 is wrong by the
+// ratio of the densities, as it weighs the partner's mass against the particle's own density; counting cells is not.
+// Sources: X. Y. Hu, N. A. Adams, J. Comput. Phys. 213 (2006) 844; F. Ott, E. Schnetter, arXiv:physics/0303112.
 //
-// The weights V_k must not be the present volumes m_k / rho_k (A. Colagrossi, M. Landrini, J. Comput. Phys.
-// 191 (2003) 448), good as they are for water: sums over present volumes smooth the strain rate in space, and
-// through a front that compresses by r in one step they integrate to (r - 1/r) / 2 in place of ln r. The
-// plate pressure of a plane wave was 2 % too high at r = 1.6 and 5 % at r = 4; D_i is the time derivative of
-// sum V_k W_ik and has no such error.
+// The weights V_k must not be the present volumes m_k / rho_k (A. Colagrossi, M. Landrini, J. Comput. Phys. 191 (2003)
+// 448), good as they are for water: sums over present volumes smooth the strain rate in space, and through a front
+// that compresses by r in one step they integrate to (r - 1/r) / 2 in place of ln r. The plate pressure of a plane
+// wave was 2 % too high at r = 1.6 and 5 % at r = 4. At constant h, D_i is the time derivative of sum V_k W_ik and has
+// no such error.
 //
-// Each pair's force has its equal opposite along the line between the two, and the energy rate is what the
-// same forces take from the motion: momentum, angular momentum and energy are conserved whatever h and
-// neighbours do.
+// That sum itself is at hand in the same loop, so 4.10 only carries the compression through one step: at its end
+// x_i = sum V_k W_ik takes its place, and nothing drifts. Particles at a free surface miss partners, so x < 1 there
+// and, with the tension cut-off, p = 0, which is the condition at a free surface; bodies that approach each other or
+// the plate are compressed only when the gap has closed. (Viscosity acts from the reach of the kernel on.)
+//
+// Each pair's force has its equal opposite along the line between the two, and the energy rate is what the same forces
+// take from the motion: momentum, angular momentum and energy are conserved whatever h and neighbours do. With an h
+// that varies (settings.smoothing_shrink < 1) the terms of dh/dt are left out of D and of the force: the sums still
+// close, but the energy booked as internal then differs from the law's integral of p/rho^2 drho by some per cent.
 #pragma once
 
 #include "core/contact/rigid_plate.h"
@@ -51,10 +57,10 @@ class SphRates
 public:
   SphRates(const Settings& settings, const RigidPlate* plate, const PairKernels& kernels = pair_kernels());
 
-  //! Pressure, sound speed and smoothing length of \p particles from their density, then \p rates.
-  //! \param particles  positions, density at the time of the rates; pressure, sound_speed, smoothing_length
-  //! are set \param vx,vy,vz   velocity at the same time, N entries each [m/s] \param density    at the same
-  //! time [kg/m3]
+  //! Pressure and sound speed of \p particles from their density, then \p rates.
+  //! \param particles  positions and smoothing lengths at the time of the rates; pressure, sound speed are set
+  //! \param vx,vy,vz   velocity at the same time, N entries each [m/s]
+  //! \param density    at the same time [kg/m3]
   void evaluate(Particles& particles, const std::vector<double>& vx, const std::vector<double>& vy,
                 const std::vector<double>& vz, const std::vector<double>& density,
                 const Neighbours& neighbours, Rates& rates);

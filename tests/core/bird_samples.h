@@ -38,11 +38,13 @@ inline Particles shaken_block(int n, double spacing, unsigned seed, double poros
     p.vy[i] = 20 * shake(random);
     p.vz[i] = 20 * shake(random);
     p.density[i] *= 1 + 0.02 * shake(random);
+    p.smoothing_length[i] *= 1 + 0.05 * shake(random);
   }
   return p;
 }
 
-//! Rates of the state that \p p is in, after sorting it.
+//! Rates of the state that \p p is in, after sorting it; found twice, as the shear switch and the viscosity 5.58 use the
+//! velocity gradient of the evaluation before.
 inline Rates rates_of(Particles& p, const Settings& settings, const RigidPlate* plate = nullptr,
                       const PairKernels& kernels = pair_kernels())
 {
@@ -54,6 +56,7 @@ inline Rates rates_of(Particles& p, const Settings& settings, const RigidPlate* 
   reorder(p, std::vector<std::int32_t>(neighbours.sort(p)));
   neighbours.build(p);
   SphRates sph(settings, plate, kernels);
+  sph.evaluate(p, p.vx, p.vy, p.vz, p.density, neighbours, rates);
   sph.evaluate(p, p.vx, p.vy, p.vz, p.density, neighbours, rates);
   return rates;
 }
