@@ -73,6 +73,17 @@ void make_bird(const Options& options)
   if (is_mesh && !options.overrides.empty())
     throw InputError(
         "--set changes keys of a case file; a bare mesh has none, use --mass, --spacing and --mesh-unit");
+  if (!is_mesh && (!options.mass.empty() || !options.spacing.empty()))
+    throw InputError(
+        "--mass and --spacing are for a bare mesh; change a case with --set bird.mass=\"...\" and --set "
+        "bird.spacing=\"...\"");
+  require(
+      options.output.extension() == ".vtu",
+      fmt::format("{}: particles are written as .vtu; give the file that ending", options.output.string()));
+  const std::filesystem::path folder = options.output.parent_path();
+  if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))
+    throw OutputError(
+        fmt::format("{}: there is no folder {}; make it first", options.output.string(), folder.string()));
   Case parsed = is_mesh ? case_of_mesh(options) : read_case(find_case(options.input), options.overrides);
   const BirdMesh mesh =
       read_bird_mesh(is_mesh ? input : find_mesh(parsed), parsed.bird.mesh_unit, parsed.bird.parts, log);

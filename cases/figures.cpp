@@ -62,6 +62,16 @@ std::array<double, 2> pressure_range(const std::vector<Frame>& frames)
   return {0, std::ceil(high / digit) * digit};
 }
 
+//! A title that fits the width of a picture beside the time, cut at the end if need be.
+std::string fitting_title(const std::string& title)
+{
+  constexpr std::size_t most = 60; // letters at 1280 pixels
+  std::size_t end = most - 3;
+  while (end > 0 && (static_cast<unsigned char>(title[end < title.size() ? end : 0]) & 0xC0) == 0x80)
+    --end; // not within a letter of several bytes
+  return title.size() <= most ? title : title.substr(0, end) + "...";
+}
+
 std::string to_text(const Colour& colour)
 {
   return fmt::format("#{:02x}{:02x}{:02x}", std::lround(255 * colour[0]), std::lround(255 * colour[1]),
@@ -86,7 +96,7 @@ std::vector<fs::path> write_pictures(const fs::path& pvd, const fs::path& folder
   const Bounds bounds = bounds_of(frames.front());
 
   SnapshotOptions by_part, by_pressure;
-  by_part.title = by_pressure.title = title;
+  by_part.title = by_pressure.title = fitting_title(title);
   by_pressure.colour_by = "pressure";
   by_part.view = by_pressure.view = view;
   by_pressure.cut = view == View::side; // the load is inside
@@ -112,7 +122,7 @@ std::vector<fs::path> write_pictures(const fs::path& pvd, const fs::path& folder
   if (view == View::side && frames.size() > 1) { // the wings are seen edge on from the side
     MontageOptions overview;
     overview.snapshot.view = View::isometric;
-    overview.snapshot.title = title;
+    overview.snapshot.title = fitting_title(title);
     files.push_back(folder / "overview.png");
     write_montage(frames, bounds, overview, files.back());
   }
@@ -126,7 +136,7 @@ std::vector<fs::path> write_plots(const History& history, const History& frames,
   const std::vector<double> time = column(history, 0, 1e3);
 
   constexpr std::string_view prefix = "max_pressure_";
-  Plot pressure{.title = title,
+  Plot pressure{.title = fitting_title(title),
                 .x_label = "time [ms]",
                 .y_label = "maximum pressure [MPa]",
                 .series = {},
@@ -162,7 +172,7 @@ std::vector<fs::path> write_plots(const History& history, const History& frames,
   }
 
   if (const std::size_t c = history.find("contact_force_x"); c < history.columns.size()) {
-    Plot force{.title = title,
+    Plot force{.title = fitting_title(title),
                .x_label = "time [ms]",
                .y_label = "contact force [kN]",
                .series = {},

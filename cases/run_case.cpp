@@ -4,12 +4,14 @@
 
 #include "cases/build_bird.h"
 #include "cases/figures.h"
+#include "cases/flight_check.h"
 #include "cases/history_file.h"
 #include "cases/log.h"
 #include "cases/output_folder.h"
 #include "cases/progress.h"
 #include "cases/series_histories.h"
 #include "cases/summary.h"
+#include "core/error.h"
 #include "core/simulation.h"
 #include "vtkio/atomic_file.h"
 #include "vtkio/particles_to_vtk.h"
@@ -121,6 +123,11 @@ void run_and_record(const Case& parsed, const RunOptions& options, Simulation& r
 void run_case(const Case& parsed, const RunOptions& options, Log& log)
 {
   const auto start = Clock::now();
+  std::error_code ignored;
+  require(parsed.file.empty() || !fs::equivalent(parsed.file, options.output / "case.toml", ignored),
+          fmt::format(
+              "{}: the run would write its filled-in copy over this very file; choose another folder than {}",
+              parsed.file.string(), options.output.string()));
   log.info(parsed.title);
   if (options.threads > 0)
     omp_set_num_threads(options.threads); // for the fill, too
@@ -128,11 +135,15 @@ void run_case(const Case& parsed, const RunOptions& options, Log& log)
   BuiltBird bird = build_bird(parsed, mesh, log);
   Settings settings = parsed.run;
   settings.threads = options.threads;
-  Simulation run(std::move(bird.particles), make_plate(parsed.target), settings);
+  const RigidPlate plate = make_plate(parsed.target);
+  const std::vector<std::string> warnings = flight_warnings(bird.particles, plate, settings);
+  Simulation run(std::move(bird.particles), plate, settings);
 
   // Nothing is touched on the disk before the input is known to be right.
   prepare_output_folder(options.output);
   log.open(options.output / "run.log");
+  for (const std::string& warning : warnings)
+    log.warn(warning);
   try {
     run_and_record(parsed, options, run, bird.density_factor, start, log);
   } catch (const std::exception& error) {

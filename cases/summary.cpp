@@ -3,10 +3,12 @@
 #include "cases/summary.h"
 
 #include "core/simulation.h"
+#include "core/theory/impact_pressures.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -65,6 +67,25 @@ double updates_per_second(const Simulation& run)
              : 0;
 }
 
+//! Exact one-dimensional pressures of a part at the bird's first speed into the plate.
+struct Theory
+{
+  std::string part;
+  double hugoniot, bernoulli, standing_shock; //!< [Pa]
+};
+
+std::vector<Theory> theory_of(const Simulation& run)
+{
+  std::vector<Theory> rows;
+  const Ledger& ledger = run.ledger();
+  const double speed = ledger.mass > 0 ? ledger.initial_momentum[0] / ledger.mass : 0;
+  for (const Part& part : run.particles().parts)
+    if (speed > 0)
+      rows.push_back({part.name, hugoniot(part.eos, speed).pressure, stagnation_bernoulli(part.eos, speed),
+                      stagnation_standing_shock(part.eos, speed)});
+  return rows;
+}
+
 } // namespace
 
 std::string summary_json(const Simulation& run, const RunFacts& facts)
@@ -101,6 +122,20 @@ std::string summary_json(const Simulation& run, const RunFacts& facts)
                     {"permanent_set", 0.0},
                     {"eroded_elements", 0},
                     {"leaked_particles", leaked_particles(run)}};
+  // The bird's own three are those of the part with the highest Hugoniot pressure.
+  const std::vector<Theory> theory = theory_of(run);
+  const auto values = [](const Theory& t) {
+    return nlohmann::ordered_json{{"hugoniot_pressure", t.hugoniot},
+                                  {"stagnation_bernoulli", t.bernoulli},
+                                  {"stagnation_standing_shock", t.standing_shock}};
+  };
+  if (!theory.empty()) {
+    json["theory"] =
+        values(*std::max_element(theory.begin(), theory.end(),
+                                 [](const Theory& a, const Theory& b) { return a.hugoniot < b.hugoniot; }));
+    for (const Theory& row : theory)
+      json["theory"][row.part] = values(row);
+  }
   const Shares& shares = run.shares();
   json["shares"] = {{"particles", shares.particles},
                     {"contact", shares.contact},
@@ -127,9 +162,15 @@ std::string summary_table(const Simulation& run, const RunFacts& facts)
                              momentum > 0 ? ledger.impulse.norm() / momentum : 0));
   row("largest force", fmt::format("{:.1f} kN", 1e-3 * largest(run.history(), "contact_force_x")));
   row("energy balance error", fmt::format("{:.4f} %", 100 * ledger.balance_error()));
-  for (const Peak& peak : peaks(run.history()))
+  const std::vector<Theory> theory = theory_of(run);
+  for (const Peak& peak : peaks(run.history())) {
+    std::string exact;
+    for (const Theory& t : theory)
+      if (t.part == peak.name)
+        exact = fmt::format("; plane shock {:.2f} MPa", 1e-6 * t.hugoniot);
     row("peak pressure " + peak.name,
-        fmt::format("{:.2f} MPa at {:.3f} ms", 1e-6 * peak.value, 1e3 * peak.time));
+        fmt::format("{:.2f} MPa at {:.3f} ms{}", 1e-6 * peak.value, 1e3 * peak.time, exact));
+  }
   row("series", fmt::format("{:.1f} MB", 1e-6 * static_cast<double>(facts.series_bytes)));
   text.pop_back();
   return text;

@@ -180,3 +180,27 @@ TEST_CASE("a bare mesh becomes particles", "[cases][program]")
   CHECK_THAT(made.output, Catch::Contains("torso") && Catch::Contains("2000") && Catch::Contains("0.60"));
   CHECK_THAT(scratch::read(folder.path / "bird.vtu"), Catch::Contains("NumberOfPoints=\"2000\""));
 }
+
+TEST_CASE("a run never writes over its own case file", "[cases][program][errors]")
+{
+  const Refusal run;
+  const std::string before = scratch::read(run.folder.path / "case.toml");
+  const Outcome outcome = program(run.folder.path, "run case.toml -o . --quiet");
+  CHECK(outcome.status == 2);
+  CHECK_THAT(outcome.output, Catch::Contains("this very file"));
+  CHECK(scratch::read(run.folder.path / "case.toml") == before);
+}
+
+TEST_CASE("options of bird that would be ignored are refused", "[cases][program][errors]")
+{
+  const Refusal run;
+  const Outcome mass = program(run.folder.path, "bird case.toml --mass '2 kg' -o bird.vtu");
+  CHECK(mass.status == 2);
+  CHECK_THAT(mass.output, Catch::Contains("--set bird.mass"));
+  const Outcome ending = program(run.folder.path, "bird case.toml -o bird.csv");
+  CHECK(ending.status == 2);
+  CHECK_THAT(ending.output, Catch::Contains("bird.csv") && Catch::Contains(".vtu"));
+  const Outcome folder = program(run.folder.path, "bird case.toml -o none/bird.vtu");
+  CHECK(folder.status == 1);
+  CHECK_THAT(folder.output, Catch::StartsWith("birdstrike: error: none/bird.vtu"));
+}

@@ -111,8 +111,11 @@ TEST_CASE("the main job leaves everything that it promises", "[cases][run]")
     // The log has what the screen showed.
     const std::string log = scratch::read(out / "run.log");
     std::istringstream screen(outcome.output);
-    for (std::string line; std::getline(screen, line);)
+    for (std::string line; std::getline(screen, line);) {
+      if (const std::string mark = "birdstrike: warning: "; line.starts_with(mark))
+        line.erase(0, mark.size()); // the file has its own mark
       CHECK(log.find(line) != std::string::npos);
+    }
     CHECK_THAT(outcome.output, Catch::Contains(" 50 %") && Catch::Contains("energy balance error"));
   }
 
