@@ -54,21 +54,25 @@ bool Neighbours::is_stale(const Particles& p) const
   const std::size_t n = p.size();
   if (rebuilds_ == 0)
     return true;
-  const double count = static_cast<double>(n);
-  const double mean_x = ordered_sum(n, [&](std::size_t i) { return p.x[i] - x_[i]; }) / count;
-  const double mean_y = ordered_sum(n, [&](std::size_t i) { return p.y[i] - y_[i]; }) / count;
-  const double mean_z = ordered_sum(n, [&](std::size_t i) { return p.z[i] - z_[i]; }) / count;
+  const Vector3 sum = ordered_reduce(
+      n, Vector3(Vector3::Zero()),
+      [&](Vector3& total, std::size_t i) {
+        total += Vector3(p.x[i] - x_[i], p.y[i] - y_[i], p.z[i] - z_[i]);
+      },
+      [](Vector3& a, const Vector3& b) { a += b; });
+  const Vector3 mean = sum / static_cast<double>(n);
   // A pair closes by at most both displacements, and its reach grows by both changes of h.
   const double excess = ordered_reduce(
       n, -1e300,
       [&](double& most, std::size_t i) {
-        const double dx = p.x[i] - x_[i] - mean_x, dy = p.y[i] - y_[i] - mean_y, dz = p.z[i] - z_[i] - mean_z;
+        const double dx = p.x[i] - x_[i] - mean[0], dy = p.y[i] - y_[i] - mean[1],
+                     dz = p.z[i] - z_[i] - mean[2];
         const double growth = std::max(0.0, p.smoothing_length[i] - h_[i]);
         most = std::max(most, std::sqrt(dx * dx + dy * dy + dz * dz) + growth - (reach_[i] - h_[i]));
       },
       [](double& a, double b) { a = std::max(a, b); });
   // A NaN hides from max(), but not from the means; sort() then names the particle.
-  return !(excess < 0) || !std::isfinite(mean_x + mean_y + mean_z);
+  return !(excess < 0) || !mean.allFinite();
 }
 
 int Neighbours::pencil_at(double value, double origin, double width, int count) const

@@ -69,9 +69,10 @@ double total_mass(const Particles& p)
 
 Vector3 total_momentum(const Particles& p)
 {
-  return {ordered_sum(p.size(), [&p](std::size_t i) { return p.mass[i] * p.vx[i]; }),
-          ordered_sum(p.size(), [&p](std::size_t i) { return p.mass[i] * p.vy[i]; }),
-          ordered_sum(p.size(), [&p](std::size_t i) { return p.mass[i] * p.vz[i]; })};
+  return ordered_reduce(
+      p.size(), Vector3(Vector3::Zero()),
+      [&p](Vector3& sum, std::size_t i) { sum += p.mass[i] * p.velocity(i); },
+      [](Vector3& a, const Vector3& b) { a += b; });
 }
 
 double kinetic_energy(const Particles& p)

@@ -14,6 +14,8 @@ namespace birdstrike {
 //! integrated. \param h0              at the reference density [m] \param shrink, growth  bounds of h/h0 [-]
 inline double smoothing_length(double h0, double rho0, double rho, double shrink, double growth)
 {
+  if (shrink == 1 && growth == 1) // held, the default: spare the root
+    return h0;
   return h0 * std::clamp(std::cbrt(rho0 / rho), shrink, growth);
 }
 
