@@ -73,6 +73,7 @@ vtkSmartPointer<vtkUnstructuredGrid> particles_to_vtk(const Particles& particles
   for (const Part& p : particles.parts)
     names->InsertNextValue(p.name);
   grid->GetFieldData()->AddArray(names);
+  add_field_value(*grid->GetFieldData(), "spacing", particles.spacing);
   add_field_value(*grid->GetFieldData(), "TimeValue", time);
   return grid;
 }

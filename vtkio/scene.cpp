@@ -69,15 +69,21 @@ std::string part_name(vtkUnstructuredGrid& bird, int part)
   return names && part < names->GetNumberOfValues() ? names->GetValue(part) : "part_" + std::to_string(part);
 }
 
-// Half the edge of the cube that a particle stands for, a little more so that a dense bird shows no gaps.
+// Half the edge of the cube that a particle stands for, a little more so that a dense bird shows no gaps. The cube is
+// that of the lattice at the start; series that do not tell it (other solvers') give it by mass and density.
 std::vector<float> radii_of(vtkUnstructuredGrid& bird)
 {
+  constexpr double share = 0.62;
+  const auto count = static_cast<std::size_t>(bird.GetNumberOfPoints());
+  vtkDataArray* spacing = bird.GetFieldData()->GetArray("spacing");
+  if (spacing && spacing->GetNumberOfTuples() == 1 && spacing->GetTuple1(0) > 0)
+    return std::vector<float>(count, static_cast<float>(share * spacing->GetTuple1(0)));
   vtkDataArray& mass = find_array(bird, "mass");
   vtkDataArray& density = find_array(bird, "density");
-  std::vector<float> radii(static_cast<std::size_t>(bird.GetNumberOfPoints()));
-  for (std::size_t i = 0; i < radii.size(); ++i) {
+  std::vector<float> radii(count);
+  for (std::size_t i = 0; i < count; ++i) {
     const auto k = static_cast<vtkIdType>(i);
-    radii[i] = static_cast<float>(0.62 * std::cbrt(mass.GetComponent(k, 0) / density.GetComponent(k, 0)));
+    radii[i] = static_cast<float>(share * std::cbrt(mass.GetComponent(k, 0) / density.GetComponent(k, 0)));
   }
   return radii;
 }
