@@ -219,6 +219,12 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
       parsed.written[join(entry.path)] = entry.found;
   }
   require_keys(parsed, given, file.string());
+  if (parsed.run.viscosity.kind == ViscosityKind::bulk) { // its own constants, where the case gives none
+    if (!given.contains("run.viscosity_linear"))
+      parsed.run.viscosity.linear = dissertation_viscosity.linear;
+    if (!given.contains("run.viscosity_quadratic"))
+      parsed.run.viscosity.quadratic = dissertation_viscosity.quadratic;
+  }
   if (!parsed.target.rigid)
     throw InputError(
         fmt::format("{}: target.rigid = false: deformable targets are not available yet; allowed is true",

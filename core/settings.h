@@ -21,6 +21,9 @@ struct Viscosity
   bool shear_switch = true; //!< pairwise only: times (div v)^2 / ((div v)^2 + S:S/2 + |curl v|^2/2)
 };
 
+//! 5.58 with the constants that stand below it.
+inline constexpr Viscosity dissertation_viscosity{ViscosityKind::bulk, 0.06, 1.5, false};
+
 //! A box that repeats along y and z, centred on the x axis; for plane waves.
 struct PeriodicBox
 {

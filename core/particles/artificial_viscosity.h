@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Terms of artificial viscosity that belong to one particle. Those of pairs are in pair_kernels.cpp:
-//   Q_ij = w_ij f_ij (-alpha c_ij mu_ij + beta mu_ij^2),  mu_ij = h_ij v_ij.x_ij / (r^2 + 0.01 h_ij^2) when <
-//   0,
-// with means over both particles; w = rho / x^2 is what the density becomes beside the weights V of
-// sph_rates.h. Source: J. J. Monaghan, Annu. Rev. Astron. Astrophys. 30 (1992) 543.
+//   Q_ij = w_ij f_ij (-alpha c_ij mu_ij + beta mu_ij^2)
+//   mu_ij = h_ij v_ij.x_ij / (r^2 + 0.01 h_ij^2) where the two approach, else 0
+// with means over both particles; w = rho / x^2 is what the density becomes beside the weights V of sph_rates.h.
+// Source: J. J. Monaghan, Annu. Rev. Astron. Astrophys. 30 (1992) 543.
 #pragma once
 
 #include <array>

@@ -115,6 +115,8 @@ TEST_CASE("overrides replace and add keys", "[cases][case]")
   CHECK(parsed.bird.velocity == 120);
   CHECK(parsed.run.frames == 7);
   CHECK(parsed.run.viscosity.kind == ViscosityKind::bulk);
+  CHECK(parsed.run.viscosity.linear == 0.06);
+  CHECK(parsed.run.viscosity.quadratic == 1.5);
   CHECK_FALSE(parsed.run.viscosity.shear_switch);
   CHECK(parsed.bird.parts[0].porosity == 0.25);
   CHECK(parsed.target.size == std::array{1.0, 2.0});
