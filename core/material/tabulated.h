@@ -28,11 +28,6 @@ public:
   Tabulated(double rho0, double x_max, const std::function<double(double)>& pressure, std::string name);
 
   double reference_density() const { return rho0_; }
-  double largest_pressure() const { return (*nodes_)[nodes_->size() - 2]; } //!< at the end of the table [Pa]
-  double largest_compression() const
-  {
-    return 1 + (nodes_->size() / 2 - 1) / per_unit_;
-  } //!< x of the last node
 
   LawPoint at(double rho) const
   {
