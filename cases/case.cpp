@@ -40,10 +40,7 @@ public:
     *slot = *value;
   }
   void operator()(std::string* slot) const { *slot = text(); }
-  void operator()(ViscosityKind* slot) const
-  {
-    *slot = text() == "pairwise" ? ViscosityKind::pairwise : ViscosityKind::bulk;
-  }
+  void operator()(ViscosityKind* slot) const { *slot = viscosity_kind(text()); }
 
 private:
   [[noreturn]] void fail(const std::string& problem) const
@@ -219,12 +216,12 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
       parsed.written[join(entry.path)] = entry.found;
   }
   require_keys(parsed, given, file.string());
-  if (parsed.run.viscosity.kind == ViscosityKind::bulk) { // its own constants, where the case gives none
-    if (!given.contains("run.viscosity_linear"))
-      parsed.run.viscosity.linear = dissertation_viscosity.linear;
-    if (!given.contains("run.viscosity_quadratic"))
-      parsed.run.viscosity.quadratic = dissertation_viscosity.quadratic;
-  }
+  // Each kind of viscosity has its own constants, where the case gives none.
+  const Viscosity usual = usual_viscosity(parsed.run.viscosity.kind);
+  if (!given.contains("run.viscosity_linear"))
+    parsed.run.viscosity.linear = usual.linear;
+  if (!given.contains("run.viscosity_quadratic"))
+    parsed.run.viscosity.quadratic = usual.quadratic;
   if (!parsed.target.rigid)
     throw InputError(
         fmt::format("{}: target.rigid = false: deformable targets are not available yet; allowed is true",

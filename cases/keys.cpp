@@ -25,7 +25,23 @@ std::vector<std::string> law_names()
   const auto names = porous_law_names();
   return {names.begin(), names.end()};
 }
-std::vector<std::string> viscosity_names() { return {"pairwise", "dissertation"}; }
+struct NamedViscosity
+{
+  ViscosityKind kind;
+  std::string_view name;
+};
+constexpr NamedViscosity viscosities[] = {{ViscosityKind::limited, "limited"},
+                                          {ViscosityKind::pairwise, "pairwise"},
+                                          {ViscosityKind::switched, "switched"},
+                                          {ViscosityKind::bulk, "dissertation"}};
+
+std::vector<std::string> viscosity_names()
+{
+  std::vector<std::string> names;
+  for (const NamedViscosity& viscosity : viscosities)
+    names.emplace_back(viscosity.name);
+  return names;
+}
 
 // clang-format off
 #define SLOT(member) [](Case& c, std::size_t) -> Slot { return &c.member; }
@@ -57,10 +73,9 @@ const std::vector<Key>& table()
     {"run.end", time, "ms", true, above(0), "simulated time", SLOT(run.end_time)},
     {"run.frames", number, "", false, within(1, 100000), "states written after the one at the start, evenly spaced", SLOT(run.frames)},
     {"run.courant", number, "", false, above_within(0, 1), "share of the largest stable time step", SLOT(run.courant)},
-    {"run.viscosity", number, "", false, {}, "artificial viscosity: between pairs, or the bulk term of equation 5.58", SLOT(run.viscosity.kind), viscosity_names},
-    {"run.viscosity_linear", number, "", false, at_least(0), "coefficient of the term linear in the rate of compression; 0.06 with viscosity = \"dissertation\"", SLOT(run.viscosity.linear)},
-    {"run.viscosity_quadratic", number, "", false, at_least(0), "coefficient of the quadratic term; 1.5 with viscosity = \"dissertation\"", SLOT(run.viscosity.quadratic)},
-    {"run.shear_switch", number, "", false, {}, "pairwise viscosity fades where the flow shears or turns", SLOT(run.viscosity.shear_switch)},
+    {"run.viscosity", number, "", false, {}, "artificial viscosity: limited spares smooth flow; pairwise is Monaghan's, switched the same but for shear; dissertation is the bulk term of equation 5.58", SLOT(run.viscosity.kind), viscosity_names},
+    {"run.viscosity_linear", number, "", false, at_least(0), "coefficient of the term linear in the rate of compression; 1 with pairwise and switched, 0.06 with dissertation", SLOT(run.viscosity.linear)},
+    {"run.viscosity_quadratic", number, "", false, at_least(0), "coefficient of the quadratic term; 2 with pairwise and switched, 1.5 with dissertation", SLOT(run.viscosity.quadratic)},
     {"run.tension_cutoff", pressure, "MPa", false, at_most(0), "lowest pressure that a particle can carry", SLOT(run.tension_cutoff)},
     {"run.smoothing_shrink", number, "", false, above_within(0, 1), "smallest smoothing length over its first value", SLOT(run.smoothing_shrink)},
     {"run.smoothing_growth", number, "", false, at_least(1), "largest smoothing length over its first value", SLOT(run.smoothing_growth)},
@@ -130,6 +145,20 @@ struct Overload : F...
 } // namespace
 
 std::span<const Key> case_keys() { return table(); }
+
+std::string_view name_of(ViscosityKind kind)
+{
+  return std::find_if(std::begin(viscosities), std::end(viscosities),
+                      [kind](const NamedViscosity& v) { return v.kind == kind; })
+      ->name;
+}
+
+ViscosityKind viscosity_kind(std::string_view name)
+{
+  return std::find_if(std::begin(viscosities), std::end(viscosities),
+                      [name](const NamedViscosity& v) { return v.name == name; })
+      ->kind;
+}
 
 const Key* find_key(const std::vector<std::string>& path)
 {
@@ -225,9 +254,7 @@ std::string to_toml(const Slot& slot, const Key& key)
           [](std::array<int, 2>* value) { return fmt::format("[{}, {}]", (*value)[0], (*value)[1]); },
           [](bool* value) { return std::string(*value ? "true" : "false"); },
           [](std::string* value) { return toml_string(*value); },
-          [](ViscosityKind* value) {
-            return toml_string(*value == ViscosityKind::pairwise ? "pairwise" : "dissertation");
-          },
+          [](ViscosityKind* value) { return toml_string(name_of(*value)); },
       },
       slot);
 }

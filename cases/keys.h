@@ -39,6 +39,11 @@ struct Key
   std::vector<std::string> (*choices)() = nullptr;
 };
 
+//! "limited", "pairwise", "switched" or "dissertation", the bulk term of 5.58.
+std::string_view name_of(ViscosityKind kind);
+//! \param name  one of those; anything else is a mistake of the caller
+ViscosityKind viscosity_kind(std::string_view name);
+
 //! All keys, in the order in which a case file is written.
 std::span<const Key> case_keys();
 

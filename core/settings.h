@@ -6,23 +6,36 @@
 
 namespace birdstrike {
 
-//! Artificial viscosity.
+//! Artificial viscosity; formulas and sources in particles/artificial_viscosity.h.
 enum class ViscosityKind
 {
-  bulk,    //!< 5.58: a pressure q from the particle's own rate of compression
-  pairwise //!< Monaghan's pair viscosity, times the shear switch when that is on
+  limited,  //!< between pairs, on the jump that a linear reconstruction of the velocity leaves: the default
+  pairwise, //!< Monaghan's pair viscosity
+  switched, //!< the same times a factor that fades where the flow shears or turns
+  bulk      //!< 5.58: a pressure q from the particle's own rate of compression
 };
 
 struct Viscosity
 {
-  ViscosityKind kind = ViscosityKind::pairwise;
-  double linear = 1.0;      //!< C_l of 5.58, or alpha [-]
-  double quadratic = 2.0;   //!< C_0 of 5.58, or beta [-]
-  bool shear_switch = true; //!< pairwise only: times (div v)^2 / ((div v)^2 + S:S/2 + |curl v|^2/2)
+  ViscosityKind kind = ViscosityKind::limited;
+  double linear = 2.0;    //!< alpha, or C_l of 5.58 [-]
+  double quadratic = 1.5; //!< beta, or C_0 of 5.58 [-]
 };
 
-//! 5.58 with the constants that stand below it.
-inline constexpr Viscosity dissertation_viscosity{ViscosityKind::bulk, 0.06, 1.5, false};
+//! A kind with the constants that belong to it: Monaghan's 1 and 2, and for 5.58 those that stand below it.
+constexpr Viscosity usual_viscosity(ViscosityKind kind)
+{
+  switch (kind) {
+  case ViscosityKind::pairwise:
+  case ViscosityKind::switched:
+    return {kind, 1.0, 2.0};
+  case ViscosityKind::bulk:
+    return {kind, 0.06, 1.5};
+  case ViscosityKind::limited:
+    break;
+  }
+  return {};
+}
 
 //! A box that repeats along y and z, centred on the x axis; for plane waves.
 struct PeriodicBox
@@ -34,7 +47,7 @@ struct Settings
 {
   double end_time = 0;  //!< [s]
   int frames = 60;      //!< states handed to the observer after the one at t = 0, at equal intervals
-  double courant = 0.5; //!< share of the stability limit of time_step.h [-]
+  double courant = 0.6; //!< share of the stability limit of time_step.h [-]
   Viscosity viscosity;
   double tension_cutoff = 0; //!< lowest pressure that a particle can carry, <= 0 [Pa]
   double smoothing_shrink =

@@ -15,13 +15,25 @@ template <class Number>
 struct Side
 {
   Number x, y, z, vx, vy, vz, h, weight, stress, sound_speed, inertia, limiter;
+  Number strain_rate[6];
 };
 
 [[gnu::always_inline]] inline Side<Pack> load_side(const PairInput& in, int row)
 {
-  return {load(in.x + row),      load(in.y + row),           load(in.z + row),       load(in.vx + row),
-          load(in.vy + row),     load(in.vz + row),          load(in.h + row),       load(in.weight + row),
-          load(in.stress + row), load(in.sound_speed + row), load(in.inertia + row), load(in.limiter + row)};
+  return {load(in.x + row),
+          load(in.y + row),
+          load(in.z + row),
+          load(in.vx + row),
+          load(in.vy + row),
+          load(in.vz + row),
+          load(in.h + row),
+          load(in.weight + row),
+          load(in.stress + row),
+          load(in.sound_speed + row),
+          load(in.inertia + row),
+          load(in.limiter + row),
+          {load(in.strain_rate[0] + row), load(in.strain_rate[1] + row), load(in.strain_rate[2] + row),
+           load(in.strain_rate[3] + row), load(in.strain_rate[4] + row), load(in.strain_rate[5] + row)}};
 }
 
 struct Sums
@@ -29,45 +41,71 @@ struct Sums
   Pack fx{}, fy{}, fz{}, gradient[9]{}, number{}, heating{}, mu{}, wall{};
 };
 
-//! Add what partner j does to the lanes i. dx ... are x_i - x_j, vx ... v_i - v_j. A lane whose support does
-//! not reach j, or that is j itself, gets exactly nothing. \param open  1 where the pair may act, 0 where
-//! something stands between
+//! The part of v_ij.d that the velocity gradients on both sides explain: twice the harmonic mean's half of d.G d, zero
+//! where the two disagree in sign. A mirror turns the sign of the shears that cross it.
 template <bool mirrored>
-[[gnu::always_inline]] inline void
-add_pair(Sums& sum, const Side<Pack>& i, Pack dx, Pack dy, Pack dz, Pack vx, Pack vy, Pack vz, double h_j,
-         double weight_j, double stress_j, double sound_speed_j, double inertia_j, double limiter_j,
-         const PairSettings& s, [[maybe_unused]] Pack open)
+[[gnu::always_inline]] inline Pack explained(const Side<Pack>& i, const PairInput& in, int j, Pack dx,
+                                             Pack dy, Pack dz)
+{
+  const Pack xx = dx * dx, yy = dy * dy, zz = dz * dz, xy = dx * dy, xz = dx * dz, yz = dy * dz;
+  const Pack a = xx * i.strain_rate[0] + yy * i.strain_rate[1] + zz * i.strain_rate[2] +
+                 xy * i.strain_rate[3] + xz * i.strain_rate[4] + yz * i.strain_rate[5];
+  constexpr double turn = mirrored ? -1 : 1;
+  const Pack b = xx * in.strain_rate[0][j] + yy * in.strain_rate[1][j] + zz * in.strain_rate[2][j] +
+                 xy * (turn * in.strain_rate[3][j]) + xz * (turn * in.strain_rate[4][j]) +
+                 yz * in.strain_rate[5][j];
+  const Pack product = a * b, zero{};
+  return product > 0.0 ? 2.0 * product / (a + b) : zero;
+}
+
+//! Add what partner j does to the lanes i. d is x_i - x_j, vx ... v_i - v_j; an image's own values stand at j. A lane
+//! whose support does not reach j, or that is j itself, gets exactly nothing.
+//! \param open  1 where the pair may act, 0 where something stands between
+template <bool mirrored, bool limited>
+[[gnu::always_inline]] inline void add_pair(Sums& sum, const Side<Pack>& i, const PairInput& in, int j,
+                                            Pack dx, Pack dy, Pack dz, Pack vx, Pack vy, Pack vz,
+                                            const PairSettings& s, [[maybe_unused]] Pack open)
 {
   const Pack zero{};
-  const Pack h = 0.5 * (i.h + h_j);
+  const Pack h = 0.5 * (i.h + in.h[j]);
   const Pack r2 = dx * dx + dy * dy + dz * dz;
-  const Pack softened = r2 + 0.01 * h * h; // keeps mu finite (Monaghan 1992)
   const Pack r = max(sqrt(r2), 1e-9 * h);
-  // 1/h, 1/r and 1/softened from one division.
-  const Pack inverse = 1.0 / (h * r * softened);
-  const Pack inverse_h = inverse * r * softened, inverse_r = inverse * h * softened,
-             inverse_soft = inverse * h * r;
+  // Their inverses, and that of a third number, from one division.
+  const Pack third = limited ? i.inertia + in.inertia[j] : r2 + 0.01 * h * h;
+  const Pack inverse = 1.0 / (h * r * third);
+  const Pack inverse_h = inverse * r * third, inverse_r = inverse * h * third,
+             inverse_third = inverse * h * r;
 
   // (1/r) dW/dr of 4.13 in truncated powers: -3/4 [(2-q)^2 - 4 (1-q)^2] / (pi h^4 r)
   const Pack q = r * inverse_h;
   const Pack a = max(2.0 - q, zero), b = max(1.0 - q, zero);
   const Pack inverse_h2 = inverse_h * inverse_h;
   Pack slope = (a * a - 4.0 * b * b) * inverse_h2 * inverse_h2 * inverse_r * (-0.75 / std::numbers::pi);
-  if constexpr (mirrored)
-    slope *= open;
-
-  const Pack approach = min(dx * vx + dy * vy + dz * vz, zero);
-  const Pack mu = approach * h * inverse_soft;
-  const Pack viscosity = 0.25 * (i.inertia + inertia_j) * (i.limiter + limiter_j) * mu *
-                         (s.beta * mu - (0.5 * s.alpha) * (i.sound_speed + sound_speed_j));
-
   Pack value = (0.25 * a * a * a - b * b * b) * inverse_h2 * inverse_h;
-  if constexpr (mirrored)
+  if constexpr (mirrored) {
+    slope *= open;
     value *= open;
-  sum.number += (weight_j / std::numbers::pi) * value;
+  }
 
-  const Pack k = weight_j * slope;
-  const Pack push = -k * (i.stress + stress_j + viscosity);
+  const Pack approach = min(dx * vx + dy * vy + dz * vz, zero); // v_ij.d
+  const Pack sound_speed = 0.5 * (i.sound_speed + in.sound_speed[j]);
+  Pack speed, viscosity; // U or |mu|, and Q of artificial_viscosity.h
+  if constexpr (limited) {
+    const Pack smooth = explained<mirrored>(i, in, j, dx, dy, dz);
+    const Pack share = 1.0 - 0.5 * (i.limiter + in.limiter[j]);
+    speed = min(max(share * smooth - approach, zero), -approach) * inverse_r;
+    viscosity =
+        2.0 * i.inertia * in.inertia[j] * inverse_third * speed * (s.alpha * sound_speed + s.beta * speed);
+  } else {
+    speed = -approach * h * inverse_third;
+    viscosity = 0.25 * (i.inertia + in.inertia[j]) * (i.limiter + in.limiter[j]) * speed *
+                (s.alpha * sound_speed + s.beta * speed);
+  }
+
+  const double weight = in.weight[j];
+  sum.number += (weight / std::numbers::pi) * value;
+  const Pack k = weight * slope;
+  const Pack push = -k * (i.stress + in.stress[j] + viscosity);
   sum.fx += push * dx;
   sum.fy += push * dy;
   sum.fz += push * dz;
@@ -84,7 +122,7 @@ add_pair(Sums& sum, const Side<Pack>& i, Pack dx, Pack dy, Pack dz, Pack vx, Pac
   sum.gradient[7] -= vz * gy;
   sum.gradient[8] -= vz * gz;
   sum.heating += (0.5 * k) * viscosity * approach;
-  sum.mu = max(sum.mu, slope < 0.0 ? -mu : zero);
+  sum.mu = max(sum.mu, slope < 0.0 ? speed : zero);
 }
 
 //! Nearest image of a difference in a box that repeats.
@@ -98,7 +136,7 @@ add_pair(Sums& sum, const Side<Pack>& i, Pack dx, Pack dy, Pack dz, Pack vx, Pac
   return d;
 }
 
-template <bool periodic>
+template <bool periodic, bool limited>
 Sums sum_direct(const Side<Pack>& i, const std::int32_t* partners, int count, const PairInput& in,
                 const PairSettings& s)
 {
@@ -110,8 +148,8 @@ Sums sum_direct(const Side<Pack>& i, const std::int32_t* partners, int count, co
       dy = nearest_image(dy, s.period.y);
       dz = nearest_image(dz, s.period.z);
     }
-    add_pair<false>(sum, i, i.x - in.x[j], dy, dz, i.vx - in.vx[j], i.vy - in.vy[j], i.vz - in.vz[j], in.h[j],
-                    in.weight[j], in.stress[j], in.sound_speed[j], in.inertia[j], in.limiter[j], s, Pack{});
+    add_pair<false, limited>(sum, i, in, j, i.x - in.x[j], dy, dz, i.vx - in.vx[j], i.vy - in.vy[j],
+                             i.vz - in.vz[j], s, Pack{});
   }
   return sum;
 }
@@ -120,7 +158,7 @@ Sums sum_direct(const Side<Pack>& i, const std::int32_t* partners, int count, co
 //! own list holds all that can matter. A pair acts where the line from lane to image passes through the
 //! plate, which is the same point for i and the image of j as for j and the image of i: action stays equal to
 //! reaction at the rim.
-template <bool periodic>
+template <bool periodic, bool limited>
 void add_images(Sums& sum, const Side<Pack>& i, const std::int32_t* partners, int count, const PairInput& in,
                 const PairSettings& s)
 {
@@ -142,8 +180,8 @@ void add_images(Sums& sum, const Side<Pack>& i, const std::int32_t* partners, in
       open = max(cross_y, -cross_y) <= s.plate.half_y ? open : zero;
       open = max(cross_z, -cross_z) <= s.plate.half_z ? open : zero;
     }
-    add_pair<true>(sum, i, dx, dy, dz, i.vx + in.vx[j], i.vy - in.vy[j], i.vz - in.vz[j], in.h[j],
-                   in.weight[j], in.stress[j], in.sound_speed[j], in.inertia[j], in.limiter[j], s, open);
+    add_pair<true, limited>(sum, i, in, j, dx, dy, dz, i.vx + in.vx[j], i.vy - in.vy[j], i.vz - in.vz[j], s,
+                            open);
   }
 }
 
@@ -153,20 +191,20 @@ void add_images(Sums& sum, const Side<Pack>& i, const std::int32_t* partners, in
 }
 
 //! The lanes row ... row + count - 1 of a cluster.
-template <bool periodic>
+template <bool periodic, bool limited>
 void rates_of(const Cluster& cluster, int row, int count, const std::int32_t* all_partners,
               const PairInput& in, const PairSettings& s, const PairOutput& out)
 {
   const std::int32_t* partners = all_partners + cluster.first;
   const Side<Pack> i = load_side(in, row);
-  Sums sum = sum_direct<periodic>(i, partners, cluster.partners, in, s);
+  Sums sum = sum_direct<periodic, limited>(i, partners, cluster.partners, in, s);
 
   if (s.plate.present) {
     double nearest = -1e300;
     for (int l = 0; l < count; ++l)
       nearest = i.x[l] < 0 && i.x[l] > nearest ? i.x[l] : nearest;
     if (nearest > -s.plate.reach)
-      add_images<periodic>(sum, i, partners, cluster.partners, in, s);
+      add_images<periodic, limited>(sum, i, partners, cluster.partners, in, s);
   }
 
   store(out.fx + row, sum.fx, count);
@@ -180,16 +218,24 @@ void rates_of(const Cluster& cluster, int row, int count, const std::int32_t* al
   store(out.wall + row, sum.wall, count);
 }
 
+template <bool periodic, bool limited>
+void rates_as(const Cluster* clusters, int begin, int end, const std::int32_t* partners, const PairInput& in,
+              const PairSettings& settings, const PairOutput& out)
+{
+  for (int c = begin; c < end; ++c)
+    for (int lane = 0; lane < clusters[c].count; lane += lanes) {
+      const int row = clusters[c].begin + lane, count = std::min(lanes, clusters[c].count - lane);
+      rates_of<periodic, limited>(clusters[c], row, count, partners, in, settings, out);
+    }
+}
+
 void rates(const Cluster* clusters, int begin, int end, const std::int32_t* partners, const PairInput& in,
            const PairSettings& settings, const PairOutput& out)
 {
   const bool periodic = settings.period.y > 0 || settings.period.z > 0;
-  for (int c = begin; c < end; ++c)
-    for (int lane = 0; lane < clusters[c].count; lane += lanes) {
-      const int row = clusters[c].begin + lane, count = std::min(lanes, clusters[c].count - lane);
-      periodic ? rates_of<true>(clusters[c], row, count, partners, in, settings, out)
-               : rates_of<false>(clusters[c], row, count, partners, in, settings, out);
-    }
+  const auto loop = settings.limited ? (periodic ? rates_as<true, true> : rates_as<false, true>)
+                                     : (periodic ? rates_as<true, false> : rates_as<false, false>);
+  loop(clusters, begin, end, partners, in, settings, out);
 }
 
 int search(const Cluster& cluster, int begin, int end, const double* x, const double* y, const double* z,

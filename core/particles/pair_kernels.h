@@ -39,7 +39,8 @@ struct PairInput
   const double* stress;                   //!< (p + q) / x^2, x = rho / rho0 [Pa]
   const double* sound_speed;              //!< [m/s]
   const double* inertia;                  //!< rho / x^2, what stands in Q_ij for the density [kg/m3]
-  const double* limiter;                  //!< factor of the pair viscosity [-]
+  const double* limiter;                  //!< f of artificial_viscosity.h [-]
+  const double* strain_rate[6]; //!< xx, yy, zz, and the sums xy + yx, xz + zx, yz + zy of grad v [1/s]
 };
 
 //! Sums over partners, N + 8 entries each.
@@ -50,7 +51,7 @@ struct PairOutput
       gradient[9]; //!< row-major: sum V_j (v_j - v_i) (x) grad_i W_ij, x times the velocity gradient [1/s]
   double* number;  //!< sum V_j W_ij, the compression [-]
   double* heating; //!< rho0 times the viscous heating [W/m3]
-  double* mu;      //!< largest approach speed |mu_ij| [m/s]
+  double* mu;      //!< largest |mu_ij| or U_ij [m/s]
   double* wall;    //!< share of fx that came from mirror images [N/m3]
 };
 
@@ -64,7 +65,8 @@ struct MirrorPlate
 
 struct PairSettings
 {
-  double alpha = 0, beta = 0; //!< pair viscosity [-]
+  bool limited = false;       //!< which of the pair viscosities of artificial_viscosity.h
+  double alpha = 0, beta = 0; //!< its constants [-]
   Period period;
   MirrorPlate plate;
 };

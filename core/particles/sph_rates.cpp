@@ -18,6 +18,8 @@ void Rates::resize(std::size_t count)
        {&ax, &ay, &az, &density, &summed_density, &energy, &viscous, &wall_force, &divergence, &approach})
     array->assign(count, 0.0);
   limiter.assign(count, 1.0);
+  for (auto& array : strain_rate)
+    array.assign(count, 0.0);
 }
 
 void Rates::reorder(const std::vector<std::int32_t>& order)
@@ -26,12 +28,15 @@ void Rates::reorder(const std::vector<std::int32_t>& order)
   for (auto* array : {&ax, &ay, &az, &density, &summed_density, &energy, &viscous, &wall_force, &divergence,
                       &approach, &limiter})
     birdstrike::reorder(*array, order, scratch);
+  for (auto& array : strain_rate)
+    birdstrike::reorder(array, order, scratch);
 }
 
 SphRates::SphRates(const Settings& settings, const RigidPlate* plate, const PairKernels& kernels)
     : kernels_(kernels), settings_(settings)
 {
-  if (settings.viscosity.kind == ViscosityKind::pairwise) {
+  pair_settings_.limited = settings.viscosity.kind == ViscosityKind::limited;
+  if (settings.viscosity.kind != ViscosityKind::bulk) {
     pair_settings_.alpha = settings.viscosity.linear;
     pair_settings_.beta = settings.viscosity.quadratic;
   }
@@ -52,6 +57,8 @@ void SphRates::prepare(Particles& p, const std::vector<double>& vx, const std::v
                         &fz_,          &number_,  &heating_, &mu_,     &wall_})
       array->assign(size, 0.0);
     for (auto& array : gradient_)
+      array.assign(size, 0.0);
+    for (auto& array : strain_rate_)
       array.assign(size, 0.0);
     std::fill(h_.begin(), h_.end(), 1.0);
   }
@@ -77,7 +84,9 @@ void SphRates::prepare(Particles& p, const std::vector<double>& vx, const std::v
                           : 0;
     shock_stress_[i] = q / (x * x);
     stress_[i] = p.pressure[i] / (x * x) + shock_stress_[i];
-    limiter_[i] = viscosity.shear_switch ? rates.limiter[i] : 1;
+    limiter_[i] = rates.limiter[i];
+    for (int c = 0; c < 6; ++c)
+      strain_rate_[c][i] = rates.strain_rate[c][i];
   });
   pair_settings_.plate.reach =
       2 * ordered_reduce(
@@ -87,14 +96,15 @@ void SphRates::prepare(Particles& p, const std::vector<double>& vx, const std::v
 
 void SphRates::finish(const Particles& p, Rates& r)
 {
-  const bool bulk = settings_.viscosity.kind == ViscosityKind::bulk;
+  const ViscosityKind kind = settings_.viscosity.kind;
+  const bool bulk = kind == ViscosityKind::bulk;
   const double cell = p.spacing * p.spacing * p.spacing;
   for_each_row(p.size(), [&](std::size_t i) {
-    std::array<double, 9> gradient;
-    for (std::size_t c = 0; c < 9; ++c)
-      gradient[c] = gradient_[c][i];
-    const double compression_rate = -(gradient[0] + gradient[4] + gradient[8]); // D
     const double rho0 = p.mass[i] / cell, x = rho0 / inertia_[i];
+    std::array<double, 9> g; // grad v
+    for (std::size_t c = 0; c < 9; ++c)
+      g[c] = gradient_[c][i] / x;
+    const double compression_rate = -x * (g[0] + g[4] + g[8]); // D
     r.ax[i] = fx_[i] / rho0;
     r.ay[i] = fy_[i] / rho0;
     r.az[i] = fz_[i] / rho0;
@@ -105,7 +115,12 @@ void SphRates::finish(const Particles& p, Rates& r)
     r.viscous[i] = (heating_[i] + shock_stress_[i] * compression_rate) / rho0;
     r.energy[i] = r.viscous[i] + (stress_[i] - shock_stress_[i]) * compression_rate / rho0;
     r.approach[i] = bulk ? std::cbrt(cell / x) * std::abs(r.divergence[i]) : mu_[i];
-    r.limiter[i] = shear_switch(gradient);
+    r.limiter[i] = kind == ViscosityKind::limited    ? plane_compression(g)
+                   : kind == ViscosityKind::switched ? shear_switch(g)
+                                                     : 1;
+    const double strain_rate[6] = {g[0], g[4], g[8], g[1] + g[3], g[2] + g[6], g[5] + g[7]};
+    for (int c = 0; c < 6; ++c)
+      r.strain_rate[c][i] = strain_rate[c];
   });
 }
 
@@ -115,9 +130,20 @@ void SphRates::evaluate(Particles& p, const std::vector<double>& vx, const std::
 {
   prepare(p, vx, vy, vz, density, rates);
 
-  const PairInput in{x_.data(),      y_.data(),           z_.data(),       vx_.data(),
-                     vy_.data(),     vz_.data(),          h_.data(),       weight_.data(),
-                     stress_.data(), sound_speed_.data(), inertia_.data(), limiter_.data()};
+  const PairInput in{x_.data(),
+                     y_.data(),
+                     z_.data(),
+                     vx_.data(),
+                     vy_.data(),
+                     vz_.data(),
+                     h_.data(),
+                     weight_.data(),
+                     stress_.data(),
+                     sound_speed_.data(),
+                     inertia_.data(),
+                     limiter_.data(),
+                     {strain_rate_[0].data(), strain_rate_[1].data(), strain_rate_[2].data(),
+                      strain_rate_[3].data(), strain_rate_[4].data(), strain_rate_[5].data()}};
   PairOutput out{fx_.data(),     fy_.data(),      fz_.data(), {},
                  number_.data(), heating_.data(), mu_.data(), wall_.data()};
   for (std::size_t c = 0; c < 9; ++c)

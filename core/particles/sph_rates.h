@@ -45,7 +45,9 @@ struct Rates
   std::vector<double> wall_force;     //!< x component of the plate's force on the particle [N]
   std::vector<double> divergence;     //!< div v [1/s]
   std::vector<double> approach;       //!< largest |mu| of the pair viscosity, or l |div v| of 5.58 [m/s]
-  std::vector<double> limiter;        //!< factor of the pair viscosity for the next evaluation [-]
+  std::vector<double> limiter;        //!< f of artificial_viscosity.h for the next evaluation [-]
+  std::vector<double>
+      strain_rate[6]; //!< symmetric part of grad v for the next evaluation, see PairInput [1/s]
 
   void resize(std::size_t count);
   void reorder(const std::vector<std::int32_t>& order);
@@ -70,7 +72,7 @@ private:
   Settings settings_;
   PairSettings pair_settings_;
   std::vector<double> x_, y_, z_, vx_, vy_, vz_, h_, weight_, stress_, shock_stress_, sound_speed_, inertia_,
-      limiter_;
+      limiter_, strain_rate_[6];
   std::vector<double> fx_, fy_, fz_, gradient_[9], number_, heating_, mu_, wall_;
 
   void prepare(Particles& particles, const std::vector<double>& vx, const std::vector<double>& vy,

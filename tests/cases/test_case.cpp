@@ -64,7 +64,6 @@ void check_equal(const Case& a, const Case& b)
   CHECK(a.run.viscosity.kind == b.run.viscosity.kind);
   CHECK(a.run.viscosity.linear == b.run.viscosity.linear);
   CHECK(a.run.viscosity.quadratic == b.run.viscosity.quadratic);
-  CHECK(a.run.viscosity.shear_switch == b.run.viscosity.shear_switch);
   CHECK(a.run.tension_cutoff == b.run.tension_cutoff);
   CHECK(a.run.smoothing_shrink == b.run.smoothing_shrink);
   CHECK(a.run.smoothing_growth == b.run.smoothing_growth);
@@ -107,17 +106,16 @@ TEST_CASE("overrides replace and add keys", "[cases][case]")
 {
   const scratch::Folder folder;
   const fs::path file = folder.write("case.toml", box_case);
-  const Case parsed = read_case(
-      file, {"bird.spacing=8 mm", "bird.velocity=\"120 m/s\"", "run.frames=7", "run.viscosity=dissertation",
-             "bird.parts.torso.porosity=0.25", "target.plate.size=[\"1 m\", \"2 m\"]", "title=4",
-             "run.shear_switch=false", "bird.yaw = 90 deg", "bird.mesh=my.goose.glb"});
+  const Case parsed = read_case(file, {"bird.spacing=8 mm", "bird.velocity=\"120 m/s\"", "run.frames=7",
+                                       "run.viscosity=dissertation", "bird.parts.torso.porosity=0.25",
+                                       "target.plate.size=[\"1 m\", \"2 m\"]", "title=4", "bird.yaw = 90 deg",
+                                       "bird.mesh=my.goose.glb"});
   CHECK(parsed.bird.spacing == 0.008);
   CHECK(parsed.bird.velocity == 120);
   CHECK(parsed.run.frames == 7);
   CHECK(parsed.run.viscosity.kind == ViscosityKind::bulk);
   CHECK(parsed.run.viscosity.linear == 0.06);
   CHECK(parsed.run.viscosity.quadratic == 1.5);
-  CHECK_FALSE(parsed.run.viscosity.shear_switch);
   CHECK(parsed.bird.parts[0].porosity == 0.25);
   CHECK(parsed.target.size == std::array{1.0, 2.0});
   CHECK(parsed.title == "4");
@@ -146,7 +144,7 @@ TEST_CASE("the echo is a case with every key, and gives the same case back", "[c
     check_equal(first, read_case(folder.write("echo2.toml", to_toml(second))));
     for (const char* key :
          {"mesh_unit", "gap", "smoothing", "yaw", "eos", "rigid", "courant", "viscosity_linear",
-          "viscosity_quadratic", "shear_switch", "smoothing_shrink", "smoothing_growth"})
+          "viscosity_quadratic", "smoothing_shrink", "smoothing_growth"})
       CHECK(echo.find(std::string("\n") + key + " = ") != std::string::npos);
   }
 }

@@ -42,10 +42,9 @@ TEST_CASE("defaults are those of the settings", "[cases][keys]")
   };
   CHECK(shown({"bird", "gap"}) == "\"10 mm\"");
   CHECK(shown({"bird", "mesh_unit"}) == "\"1 m\"");
-  CHECK(shown({"bird", "smoothing"}) == "1.25");
+  CHECK(shown({"bird", "smoothing"}) == "1.28");
   CHECK(shown({"target", "rigid"}) == "true");
-  CHECK(shown({"run", "viscosity"}) ==
-        (Settings().viscosity.kind == ViscosityKind::pairwise ? "\"pairwise\"" : "\"dissertation\""));
+  CHECK(shown({"run", "viscosity"}) == "\"limited\"");
   CHECK(shown({"run", "frames"}) == std::to_string(Settings().frames));
 }
 

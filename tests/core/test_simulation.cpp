@@ -77,7 +77,7 @@ TEST_CASE("an impact books the momentum that it takes and keeps the energy", "[s
 
 TEST_CASE("what is booked as elastic energy is the integral of the law", "[simulation][conservation]")
 {
-  Settings settings = settings_to(6e-5);
+  Settings settings = settings_to(5e-5);
   settings.courant = 0.1;
   Simulation s(samples::block(14, 9, 9, 1.5e-3, 0, {150, 0, 0}), make_rigid_plate(0.1, 0.1, 0.005, 20, 20),
                settings);
