@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace birdstrike {
@@ -31,7 +32,7 @@ std::vector<std::string> viscosity_names() { return {"pairwise", "dissertation"}
 
 const Condition no_shape{"a bird without bird.shape", [](const Case& c) { return c.bird.shape.empty(); }};
 const Condition no_mesh{"a bird without bird.mesh", [](const Case& c) { return c.bird.mesh.empty(); }};
-const Condition with_body{"a bird.shape other than \"column\"",
+const Condition with_body{"a bird.shape that is not a column",
                           [](const Case& c) { return !c.bird.shape.empty() && !is_column(c); }};
 const Condition with_column{"a column", is_column};
 const Condition no_column{"a bird that is not a column", [](const Case& c) { return !is_column(c); }};
@@ -54,7 +55,7 @@ const std::vector<Key>& table()
     {"bird.mass", mass, "kg", true, above(0), "mass of the whole bird, met exactly", SLOT(bird.mass), nullptr, &no_column},
     {"bird.spacing", length, "mm", true, above(0), "distance between particles", SLOT(bird.spacing)},
     {"bird.velocity", velocity, "m/s", true, above(0), "speed of flight", SLOT(bird.velocity)},
-    {"bird.impact_angle", angle, "deg", false, within(10 * degree, 90 * degree), "between flight path and plate: below 90 deg the bird descends along its own axis towards the middle of the plate", SLOT(bird.impact_angle), nullptr, &no_column},
+    {"bird.impact_angle", angle, "deg", false, within(10 * degree * (1 - 1e-12), 90 * degree * (1 + 1e-12)), "between flight path and plate: below 90 deg the bird descends along its own axis towards the middle of the plate", SLOT(bird.impact_angle), nullptr, &no_column},
     {"bird.gap", length, "mm", false, at_least(0), "distance between bird and target at the start, across the plate", SLOT(bird.gap)},
     {"bird.smoothing", number, "", false, within(0.8, 3), "smoothing length over spacing", SLOT(bird.smoothing)},
     {"bird.yaw", angle, "deg", false, {}, "turns the nose to the bird's left, about the vertical axis", SLOT(bird.yaw), nullptr, &no_column},
@@ -269,9 +270,16 @@ std::string kind_of(const Key& key)
                     key.slot(defaults(), 0));
 }
 
-std::string describe(const Range& range, Dimension dimension)
+std::string describe(const Range& in_si, Dimension dimension)
 {
-  const std::string unit = dimension == number ? "" : fmt::format(" {}", si_unit(dimension));
+  Range range = in_si;
+  std::string unit = dimension == number ? "" : fmt::format(" {}", si_unit(dimension));
+  if (dimension == angle) { // nobody thinks in radians
+    unit = " deg";
+    for (auto* bound : {&range.low, &range.high})
+      if (*bound)
+        *bound = std::round(1e6 * **bound / degree) / 1e6;
+  }
   if (range.low && range.high)
     return fmt::format("{}{} ... {}{}", range.low_open ? "above " : "", *range.low, *range.high, unit);
   if (range.low)

@@ -70,7 +70,7 @@ std::string nearest_key(const std::vector<std::string>& path);
 //! "a length", "a list of 2 integers", ... for messages and the manual.
 std::string kind_of(const Key& key);
 
-//! "> 0 m", "0 ... 0.9", "" ; in SI
+//! "> 0 m", "0 ... 0.9", "" ; in SI, angles in degrees
 std::string describe(const Range& range, Dimension dimension);
 
 //! The value in a slot as TOML text: "6 mm" with quotes, 1.25, true, ["1.8 m", "1.2 m"].
