@@ -152,10 +152,10 @@ void run_and_record(const Case& parsed, const RunOptions& options, Simulation& r
                 parsed.title);
     if (!parsed.transducers.empty()) {
       const EquationOfState& law = hardest_law(run.particles().parts, flight.normal_speed());
-      write_transducer_plot(run.transducer_history(),
-                            {hugoniot(law, flight.normal_speed()).pressure,
-                             stagnation_standing_shock(law, flight.normal_speed())},
-                            fitting_title(parsed.title), folder / "transducers.png");
+      write_transducer_plot(
+          run.transducer_history(),
+          {hugoniot(law, flight.normal_speed()).pressure, stagnation_standing_shock(law, flight.speed)},
+          fitting_title(parsed.title), folder / "transducers.png");
     }
     facts.figure_seconds = seconds_since(figures_start);
   }

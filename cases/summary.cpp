@@ -67,7 +67,8 @@ double updates_per_second(const Simulation& run)
              : 0;
 }
 
-//! Exact one-dimensional pressures of a part at the bird's first speed into the plate.
+//! Exact pressures of a part at the bird's first speed: the shock's at its component into the plate, those of the
+//! stagnation point at the whole of it, as its streamline is slowed down to rest whatever the angle (section 7.3).
 struct Theory
 {
   std::string part;
@@ -79,10 +80,11 @@ std::vector<Theory> theory_of(const Simulation& run)
   std::vector<Theory> rows;
   const Ledger& ledger = run.ledger();
   const double speed = ledger.mass > 0 ? ledger.initial_momentum[0] / ledger.mass : 0;
+  const double whole = ledger.mass > 0 ? ledger.initial_momentum.norm() / ledger.mass : 0;
   for (const Part& part : run.particles().parts)
     if (speed > 0)
-      rows.push_back({part.name, hugoniot(part.eos, speed).pressure, stagnation_bernoulli(part.eos, speed),
-                      stagnation_standing_shock(part.eos, speed)});
+      rows.push_back({part.name, hugoniot(part.eos, speed).pressure, stagnation_bernoulli(part.eos, whole),
+                      stagnation_standing_shock(part.eos, whole)});
   return rows;
 }
 
