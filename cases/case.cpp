@@ -134,9 +134,9 @@ private:
 {
   const std::string path = join(entry.path);
   for (const Key& key : case_keys())
-    if (key.path.starts_with(path + "."))
+    if (named(key, entry.path).starts_with(path + "."))
       throw InputError(fmt::format("{}: {} = {}: this is a table of keys, for example {}", entry.place, path,
-                                   entry.found, key.path));
+                                   entry.found, named(key, entry.path)));
   const std::string nearest = nearest_key(entry.path);
   throw InputError(fmt::format("{}: unknown key {}; {}", entry.place, path,
                                nearest.empty() ? "`birdstrike cases --keys` lists the known ones"

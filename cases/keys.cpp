@@ -157,16 +157,6 @@ std::vector<std::string> split(std::string_view path)
   return segments;
 }
 
-//! The key's path with '*' replaced by what stands there in \p path.
-std::string named(const Key& key, const std::vector<std::string>& path)
-{
-  std::vector<std::string> segments = split(key.path);
-  for (std::size_t i = 0; i < segments.size(); ++i)
-    if (segments[i] == "*")
-      segments[i] = i < path.size() ? path[i] : "<name>";
-  return fmt::format("{}", fmt::join(segments, "."));
-}
-
 //! Levenshtein's distance.
 std::size_t edit_distance(std::string_view a, std::string_view b)
 {
@@ -194,6 +184,15 @@ struct Overload : F...
 } // namespace
 
 std::span<const Key> case_keys() { return table(); }
+
+std::string named(const Key& key, const std::vector<std::string>& path)
+{
+  std::vector<std::string> segments = split(key.path);
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    if (segments[i] == "*")
+      segments[i] = i < path.size() ? path[i] : "<name>";
+  return fmt::format("{}", fmt::join(segments, "."));
+}
 
 std::vector<std::string> names_for(const Case& parsed, const Key& key)
 {

@@ -61,6 +61,9 @@ std::size_t row_for(Case& parsed, const Key& key, const std::vector<std::string>
 //! Is this a named row with nothing in it, such as "[bird.parts.torso]"? Makes the row.
 bool make_empty_row(Case& parsed, const std::vector<std::string>& path);
 
+//! The key's path with '*' replaced by what stands there in \p path, or by "<name>".
+std::string named(const Key& key, const std::vector<std::string>& path);
+
 //! The row for a path as written in a case file, or null.
 const Key* find_key(const std::vector<std::string>& path);
 

@@ -61,7 +61,7 @@ void write_transducer_plot(const History& history, const TheoryLines& theory, co
                              .line_width = 1.5});
   };
   level("Hugoniot", theory.hugoniot, LineStyle::dashed);
-  level("standing shock", theory.stagnation, LineStyle::dotted);
+  level("stagnation", theory.stagnation, LineStyle::dotted);
   write_plot(plot, png);
 }
 

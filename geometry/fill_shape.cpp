@@ -10,6 +10,8 @@ namespace birdstrike {
 
 namespace {
 
+constexpr double fewest_across = 4; // cells; fewer are no shape
+
 //! Radius of the body of revolution at \p x from its middle, squared; negative beyond its ends [m2].
 double squared_radius(std::string_view shape, const ShapeSize& size, double x)
 {
@@ -69,13 +71,13 @@ Fill fill_shape(std::string_view shape, const ShapeSize& size, double spacing, c
       if (fill.seeds.empty() || error(seeds) < error(fill.seeds))
         fill.seeds = std::move(seeds);
     }
-  if (fill.seeds.empty() || error(fill.seeds) > 0.25) {
+  if (std::min(size.diameter, size.length) < fewest_across * spacing || error(fill.seeds) > 0.25) {
     char text[300];
     std::snprintf(text, sizeof text,
                   "a %.*s of %.4g mm diameter and %.4g mm length cannot be made of cells of %.4g mm; use a "
                   "spacing of %.2g mm or less",
                   int(shape.size()), shape.data(), 1e3 * size.diameter, 1e3 * size.length, 1e3 * spacing,
-                  1e3 * std::min(size.diameter, size.length) / 4);
+                  1e3 * std::min(size.diameter, size.length) / fewest_across);
     throw InputError(text);
   }
   fill.parts.push_back({part, fill.seeds.size(), volume});

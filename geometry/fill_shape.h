@@ -18,7 +18,7 @@ namespace birdstrike {
 //! cells, at the whole number of layers that meets the volume best.
 //! \param part     name of the only part
 //! \param spacing  lattice spacing [m]
-//! \throw InputError as shape_volume; if the spacing is not positive or so coarse that the volume is missed by a quarter,
+//! \throw InputError as shape_volume; if the spacing is not positive or so coarse that fewer than 4 cells lie across the shape,
 //!        or if the particles would not fit the machine's memory
 Fill fill_shape(std::string_view shape, const ShapeSize& size, double spacing, const std::string& part);
 

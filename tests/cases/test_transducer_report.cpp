@@ -104,6 +104,8 @@ TEST_CASE("transducers are read, echoed and checked", "[cases][transducer][error
                     Catch::Contains("transducers.rim") && Catch::Contains("target.plate.size"));
   CHECK_THROWS_WITH(read_case(file, {"transducers.rim.steady_from=0.8"}),
                     Catch::Contains("steady_from = 0.8 must be below steady_to = 0.7"));
+  CHECK_THROWS_WITH(read_case(file, {"transducers.top=5"}),
+                    Catch::Contains("this is a table of keys, for example transducers.top.centre"));
   CHECK_THROWS_WITH(read_case(file, {"transducers.axis.rise_time=5"}), Catch::Contains("unit is missing"));
 }
 
