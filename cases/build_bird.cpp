@@ -2,6 +2,7 @@
 // From a mesh file to particles that weigh what they should.
 #include "cases/build_bird.h"
 
+#include "cases/build_shape.h"
 #include "cases/log.h"
 #include "core/error.h"
 #include "core/material/porous_bird.h"
@@ -39,8 +40,8 @@ void check_size(const SurfaceMesh& objects, const std::filesystem::path& file)
                   file.string(), size, smallest_bird, largest_bird, size > largest_bird ? "1 mm" : "1 m"));
 }
 
-//! Row of each filled part in the case.
-std::vector<const PartCase*> match_parts(const Case& parsed, const BirdMesh& mesh)
+//! Parts of mesh and case have to be the same.
+void match_parts(const Case& parsed, const BirdMesh& mesh)
 {
   const std::string place = parsed.file.empty() ? mesh.file.string() : parsed.file.string();
   std::vector<std::string> in_mesh;
@@ -60,24 +61,19 @@ std::vector<const PartCase*> match_parts(const Case& parsed, const BirdMesh& mes
     if (std::find(in_mesh.begin(), in_mesh.end(), part.name) == in_mesh.end())
       throw InputError(fmt::format("{}: bird.parts.{}: the mesh {} has no such part; it has {}", place,
                                    part.name, mesh.file.string(), fmt::join(in_mesh, ", ")));
-  std::vector<const PartCase*> rows;
-  for (const std::string& name : in_mesh)
-    for (const PartCase& part : parsed.bird.parts)
-      if (part.name == name)
-        rows.push_back(&part);
-  return rows;
 }
 
-const PartCase& part_case(const std::vector<const PartCase*>& parts, const std::string& name)
+const PartCase& part_case(const Case& parsed, const std::string& name)
 {
+  const auto& parts = parsed.bird.parts;
   const auto found =
-      std::find_if(parts.begin(), parts.end(), [&](const PartCase* part) { return part->name == name; });
+      std::find_if(parts.begin(), parts.end(), [&](const PartCase& part) { return part.name == name; });
   require(found != parts.end(), "bird.parts." + name + " is missing");
-  return **found;
+  return *found;
 }
 
-//! Shifts the bird sideways so that its centre of mass flies at the middle of the target.
-void aim_at_centre(std::vector<Seed>& seeds, const std::vector<Part>& parts)
+//! Shifts the bird along the plate so that its centre of mass flies at the middle of the target.
+void aim_at_centre(std::vector<Seed>& seeds, const std::vector<Part>& parts, const Vector3& direction)
 {
   Vector3 moment = Vector3::Zero();
   double weight = 0;
@@ -87,7 +83,19 @@ void aim_at_centre(std::vector<Seed>& seeds, const std::vector<Part>& parts)
     weight += density;
   }
   const Vector3 centre = moment / weight;
-  translate(seeds, Vector3(0, -centre.y(), -centre.z()));
+  const double way = -centre.x() / direction.x(); // of the centre to the plate
+  translate(seeds, Vector3(0, -(centre.y() + way * direction.y()), -(centre.z() + way * direction.z())));
+}
+
+//! Extent of the bird along a direction, half a cell beyond the outermost particles included [m].
+double length_along(const std::vector<Seed>& seeds, const Vector3& direction, double spacing)
+{
+  double low = INFINITY, high = -INFINITY;
+  for (const Seed& seed : seeds) {
+    low = std::min(low, direction.dot(seed.position));
+    high = std::max(high, direction.dot(seed.position));
+  }
+  return high - low + spacing;
 }
 
 //! Sums of many terms are rounded; what is missing is spread over all particles until the sum is right.
@@ -102,7 +110,7 @@ void fix_mass(Particles& particles, double mass)
 
 void report(const BuiltBird& bird, const Case& parsed, Log& log)
 {
-  log.info(fmt::format("{:<10} {:>9} {:>14} {:>14} {:>9} {:>13} {:>9}", "part", "particles", "mesh [cm3]",
+  log.info(fmt::format("{:<10} {:>9} {:>14} {:>14} {:>9} {:>13} {:>9}", "part", "particles", "body [cm3]",
                        "particles [cm3]", "mass [kg]", "density [kg/m3]", "porosity"));
   PartReport all{.name = "all"};
   const auto row = [&](const PartReport& part, const std::string& porosity) {
@@ -119,16 +127,78 @@ void report(const BuiltBird& bird, const Case& parsed, Log& log)
   all.mass = total_mass(bird.particles);
   all.density = all.mass / all.particle_volume;
   row(all, "");
+  if (is_column(parsed))
+    return;
   const double off = 100 * (bird.density_factor - 1);
   log.info(fmt::format(
       "density factor {:.4f}: all parts are {:.1f} % {} than their porosity says, so that the bird "
       "weighs {} kg",
       bird.density_factor, std::abs(off), off < 0 ? "lighter" : "denser", parsed.bird.mass));
-  if (std::abs(off) > 5)
+  if (!parsed.bird.shape.empty()) {
+    log.info(fmt::format("cells of {:g} mm miss the volume of the {} by {:.2f} %", 1e3 * parsed.bird.spacing,
+                         parsed.bird.shape, 100 * (all.particle_volume / all.mesh_volume - 1)));
+    if (std::abs(off) > 5)
+      log.warn("the particles are too coarse for this shape; refine bird.spacing");
+  } else if (std::abs(off) > 5)
     log.warn(fmt::format(
         "at the densities of its porosities this bird would weigh {:.3f} kg, not {} kg; scale the mesh "
         "(bird.mesh_unit) by {:.3f} or change porosities to let them agree",
         parsed.bird.mass / bird.density_factor, parsed.bird.mass, std::cbrt(bird.density_factor)));
+}
+
+//! Weighs, turns and places what has been filled.
+//! \param place  of the case or mesh, for messages
+BuiltBird finish_bird(const Case& parsed, const Fill& fill, const std::string& place, Log& log)
+{
+  const BirdCase& wish = parsed.bird;
+  // One factor for all parts: mass = factor * sum of natural density * volume.
+  const double cell = wish.spacing * wish.spacing * wish.spacing;
+  double natural_mass = 0;
+  for (const FilledPart& part : fill.parts)
+    natural_mass +=
+        porous_density(part_case(parsed, part.name).porosity) * static_cast<double>(part.particles) * cell;
+  BuiltBird bird;
+  bird.density_factor = is_column(parsed) ? 1 : wish.mass / natural_mass;
+  if (bird.density_factor < 0.2 || bird.density_factor > 5)
+    throw InputError(
+        fmt::format("{}: bird.mass = {} kg does not belong to this mesh, which would weigh {:.4g} kg at the "
+                    "densities of its porosities; check bird.mass and bird.mesh_unit",
+                    place, wish.mass, natural_mass));
+
+  std::vector<Part> parts;
+  for (const FilledPart& part : fill.parts) {
+    const PartCase& given = part_case(parsed, part.name);
+    const double density = bird.density_factor * porous_density(given.porosity);
+    parts.push_back(
+        {part.name, make_porous_law(given.eos, given.porosity, density), given.porosity, part.mesh_volume});
+  }
+  std::vector<Seed> seeds = fill.seeds;
+  rotate(seeds, {.yaw = wish.yaw, .pitch = wish.pitch, .roll = wish.roll});
+  const Vector3 direction = flight_direction(wish.impact_angle);
+  bird.flight = {direction, wish.velocity, wish.gap, length_along(seeds, Vector3::UnitX(), wish.spacing), 0};
+  if (direction != Vector3::UnitX())
+    rotate(seeds, {.pitch = wish.impact_angle - 0.5 * std::numbers::pi});
+  move_in_front(seeds, wish.gap + 0.5 * wish.spacing); // the foremost particle's face, not its middle
+  aim_at_centre(seeds, parts, direction);
+  bird.particles = make_particles(parts, seeds, wish.spacing, wish.velocity * direction, wish.smoothing);
+  if (!is_column(parsed))
+    fix_mass(bird.particles, wish.mass);
+
+  for (std::size_t row = 0; row < parts.size(); ++row) {
+    PartReport one{.name = parts[row].name, .particles = fill.parts[row].particles};
+    one.mesh_volume = parts[row].mesh_volume;
+    one.particle_volume = static_cast<double>(one.particles) * cell;
+    for (std::size_t i = 0; i < bird.particles.size(); ++i)
+      if (bird.particles.part[i] == row)
+        one.mass += bird.particles.mass[i];
+    one.density = one.mass / one.particle_volume;
+    one.porosity = parts[row].porosity;
+    bird.parts.push_back(one);
+  }
+  report(bird, parsed, log);
+  for (const Part& part : parts)
+    log.file_only(fmt::format("{}: {}", part.name, describe(part.eos)));
+  return bird;
 }
 
 } // namespace
@@ -177,60 +247,36 @@ std::vector<PartCase> usual_parts(const BirdMesh& mesh)
 
 BuiltBird build_bird(const Case& parsed, const BirdMesh& mesh, Log& log)
 {
-  const BirdCase& wish = parsed.bird;
-  const std::vector<const PartCase*> cases = match_parts(parsed, mesh);
-  const std::string place =
-      parsed.file.empty() ? mesh.file.string() : parsed.file.string() + ": bird.spacing";
+  match_parts(parsed, mesh);
+  const std::string file = parsed.file.empty() ? mesh.file.string() : parsed.file.string();
+  const std::string place = parsed.file.empty() ? file : file + ": bird.spacing";
   const Fill fill = [&] {
     try {
-      return fill_lattice(mesh.objects, mesh.part_of, wish.spacing);
+      return fill_lattice(mesh.objects, mesh.part_of, parsed.bird.spacing);
     } catch (const InputError& error) {
       throw InputError(fmt::format("{}: {}", place, error.what()));
     }
   }();
+  return finish_bird(parsed, fill, file, log);
+}
 
-  // One factor for all parts: mass = factor * sum of natural density * volume.
-  const double cell = wish.spacing * wish.spacing * wish.spacing;
-  double natural_mass = 0;
-  for (const FilledPart& part : fill.parts)
-    natural_mass +=
-        porous_density(part_case(cases, part.name).porosity) * static_cast<double>(part.particles) * cell;
-  BuiltBird bird;
-  bird.density_factor = wish.mass / natural_mass;
-  if (bird.density_factor < 0.2 || bird.density_factor > 5)
-    throw InputError(fmt::format(
-        "{}: bird.mass = {} kg does not belong to this mesh, which would weigh {:.4g} kg at the "
-        "densities of its porosities; check bird.mass and bird.mesh_unit",
-        parsed.file.empty() ? mesh.file.string() : parsed.file.string(), wish.mass, natural_mass));
-
-  std::vector<Part> parts;
-  for (const FilledPart& part : fill.parts) {
-    const PartCase& given = part_case(cases, part.name);
-    const double density = bird.density_factor * porous_density(given.porosity);
-    parts.push_back(
-        {part.name, make_porous_law(given.eos, given.porosity, density), given.porosity, part.mesh_volume});
-  }
-  std::vector<Seed> seeds = fill.seeds;
-  rotate(seeds, {.yaw = wish.yaw, .pitch = wish.pitch, .roll = wish.roll});
-  aim_at_centre(seeds, parts);
-  move_in_front(seeds, wish.gap + 0.5 * wish.spacing); // the foremost particle's face, not its middle
-  bird.particles = make_particles(parts, seeds, wish.spacing, Vector3(wish.velocity, 0, 0), wish.smoothing);
-  fix_mass(bird.particles, wish.mass);
-
-  for (std::size_t row = 0; row < parts.size(); ++row) {
-    PartReport one{.name = parts[row].name, .particles = fill.parts[row].particles};
-    one.mesh_volume = parts[row].mesh_volume;
-    one.particle_volume = static_cast<double>(one.particles) * cell;
-    for (std::size_t i = 0; i < bird.particles.size(); ++i)
-      if (bird.particles.part[i] == row)
-        one.mass += bird.particles.mass[i];
-    one.density = one.mass / one.particle_volume;
-    one.porosity = parts[row].porosity;
-    bird.parts.push_back(one);
-  }
-  report(bird, parsed, log);
-  for (const Part& part : parts)
-    log.file_only(fmt::format("{}: {}", part.name, describe(part.eos)));
+BuiltBird build_bird(const Case& parsed, Log& log)
+{
+  if (parsed.bird.shape.empty())
+    return build_bird(parsed,
+                      read_bird_mesh(find_mesh(parsed), parsed.bird.mesh_unit, parsed.bird.parts, log), log);
+  BuiltBird bird = finish_bird(parsed, fill_of_shape(parsed), parsed.file.string(), log);
+  const BirdCase& wish = parsed.bird;
+  if (is_column(parsed))
+    return bird;
+  const ShapeSize size = size_of_shape(parsed);
+  const bool along_axis = wish.yaw == 0 && wish.pitch == 0;
+  if (along_axis)
+    bird.flight.length = size.length;
+  if (wish.shape == "cylinder" && along_axis && bird.flight.direction == Vector3::UnitX())
+    bird.flight.flat_radius = 0.5 * size.diameter;
+  log.info(fmt::format("{}: {:.2f} mm diameter, {:.2f} mm long", wish.shape, 1e3 * size.diameter,
+                       1e3 * size.length));
   return bird;
 }
 

@@ -3,6 +3,7 @@
 #include "cases/case.h"
 
 #include "cases/case_entries.h"
+#include "cases/column.h"
 #include "cases/keys.h"
 #include "core/error.h"
 
@@ -130,25 +131,13 @@ private:
 {
   const std::string path = join(entry.path);
   for (const Key& key : case_keys())
-    if (key.path.starts_with(path + "."))
+    if (named(key, entry.path).starts_with(path + "."))
       throw InputError(fmt::format("{}: {} = {}: this is a table of keys, for example {}", entry.place, path,
-                                   entry.found, key.path));
+                                   entry.found, named(key, entry.path)));
   const std::string nearest = nearest_key(entry.path);
   throw InputError(fmt::format("{}: unknown key {}; {}", entry.place, path,
                                nearest.empty() ? "`birdstrike cases --keys` lists the known ones"
                                                : fmt::format("did you mean {}?", nearest)));
-}
-
-//! Row of a part, made at its first mention.
-std::size_t part_row(Case& parsed, const std::string& name)
-{
-  auto& parts = parsed.bird.parts;
-  for (std::size_t row = 0; row < parts.size(); ++row)
-    if (parts[row].name == name)
-      return row;
-  parts.emplace_back();
-  parts.back().name = name;
-  return parts.size() - 1;
 }
 
 //! "[run]" with nothing below it: the keys that it lacks are complained about one by one.
@@ -159,28 +148,76 @@ bool is_empty_section(const Entry& entry)
                                        [&](const Key& key) { return key.path.starts_with(prefix); });
 }
 
-bool is_part_table(const Entry& entry)
+//! Where the paths with '*' and those without are given, all required ones have to be.
+void require_keys(const Case& parsed, const std::set<std::string>& given, const std::string& file)
 {
-  return entry.is_table && entry.path.size() == 3 && entry.path[0] == "bird" && entry.path[1] == "parts";
+  for (const Key& key : case_keys()) {
+    if (!key.required || (key.only && !key.only->holds(parsed)) || (key.unless && key.unless->holds(parsed)))
+      continue;
+    std::vector<std::string> paths{std::string(key.path)};
+    if (const std::size_t star = key.path.find('*'); star != std::string_view::npos) {
+      paths.clear();
+      for (const std::string& name : names_for(parsed, key))
+        paths.push_back(std::string(key.path.substr(0, star)) + name +
+                        std::string(key.path.substr(star + 1)));
+    }
+    for (const std::string& path : paths)
+      if (!given.contains(path))
+        throw InputError(
+            fmt::format("{}: {} is missing: {} is needed ({})", file, path, kind_of(key), key.text));
+  }
 }
 
-//! Where the paths with '*' and those without are given, all required ones have to be.
-void require_keys(Case& parsed, const std::set<std::string>& given, const std::string& file)
+//! Nobody should think that a key does something where it does not.
+void refuse_idle_keys(const Case& parsed, const std::vector<Entry>& entries)
 {
-  const auto check = [&](const Key& key, const std::string& path) {
-    if (!key.required || given.contains(path))
-      return;
-    std::string kind = kind_of(key);
-    throw InputError(fmt::format("{}: {} is missing: {} is needed ({})", file, path, kind, key.text));
-  };
-  for (const Key& key : case_keys()) {
-    const std::size_t star = key.path.find('*');
-    if (star == std::string_view::npos) {
-      check(key, std::string(key.path));
-      continue;
-    }
-    for (const PartCase& part : parsed.bird.parts)
-      check(key, std::string(key.path.substr(0, star)) + part.name + std::string(key.path.substr(star + 1)));
+  for (const Entry& entry : entries)
+    if (const Key* key = find_key(entry.path); key && key->only && !key->only->holds(parsed))
+      throw InputError(fmt::format(
+          "{}: {} = {}: this key is only for {}, and this case has bird.{} = {}", entry.place,
+          join(entry.path), entry.found, key->only->text, parsed.bird.shape.empty() ? "mesh" : "shape",
+          toml_string(parsed.bird.shape.empty() ? parsed.bird.mesh : parsed.bird.shape)));
+}
+
+void check_bird(Case& parsed, const std::set<std::string>& given, const std::string& file)
+{
+  BirdCase& bird = parsed.bird;
+  if (!bird.mesh.empty() && !bird.shape.empty())
+    throw InputError(
+        fmt::format("{}: both bird.mesh = {} and bird.shape = {} are given: exactly one of them is needed",
+                    file, toml_string(bird.mesh), toml_string(bird.shape)));
+  if (bird.shape == "sphere" && !given.contains("bird.length_over_diameter"))
+    bird.length_over_diameter = 1;
+}
+
+//! Parts and transducers, once all keys are known.
+void check_tables(const Case& parsed, const std::string& file)
+{
+  const BirdCase& bird = parsed.bird;
+  if (bird.parts.empty())
+    throw InputError(
+        fmt::format("{}: bird.parts is missing: every part of the {} needs its porosity, for example "
+                    "torso = {{ porosity = 0.6 }} under [bird.parts]",
+                    file, bird.mesh.empty() ? "bird" : "mesh"));
+  if (!bird.shape.empty() && !is_column(parsed) && bird.parts.size() > 1)
+    throw InputError(fmt::format(
+        "{}: bird.parts.{}: a {} has one part, and here are {}; leave the others out, or use a bird.mesh",
+        file, bird.parts[1].name, bird.shape, bird.parts.size()));
+  for (const TransducerCase& one : parsed.transducers) {
+    const std::string place = fmt::format("{}: transducers.{}", file, one.name);
+    if (one.name.find_first_of(",\"\n\r") != std::string::npos)
+      throw InputError(place +
+                       ": the name must do for a title in transducers.csv: no comma, quote or line break");
+    if (one.steady_from >= one.steady_to)
+      throw InputError(fmt::format("{}.steady_from = {} must be below steady_to = {}", place, one.steady_from,
+                                   one.steady_to));
+    for (int k = 0; k < 2; ++k)
+      if (std::abs(one.centre[k]) + 0.5 * one.diameter > 0.5 * parsed.target.size[k])
+        throw InputError(
+            fmt::format("{}: its face reaches to {:g} m {}, beyond the plate, which ends at {:g} m; "
+                        "move the transducer or enlarge target.plate.size",
+                        place, std::abs(one.centre[k]) + 0.5 * one.diameter, k == 0 ? "sideways" : "upwards",
+                        0.5 * parsed.target.size[k]));
   }
 }
 
@@ -196,26 +233,24 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
   parsed.file = file;
   std::set<std::string> given;
   for (const Entry& entry : entries) {
-    if (is_part_table(entry)) {
-      part_row(parsed, entry.path[2]);
+    if (entry.is_table && make_empty_row(parsed, entry.path))
       continue;
-    }
     if (is_empty_section(entry))
       continue;
     const Key* key = find_key(entry.path);
     if (!key)
       unknown_key(entry);
-    const std::size_t part =
-        key->path.find('*') == std::string_view::npos ? 0 : part_row(parsed, entry.path[2]);
     if (entry.is_table)
       throw InputError(fmt::format("{}: {} is an empty table: {} is needed", entry.place, join(entry.path),
                                    kind_of(*key)));
-    std::visit(Assignment(entry, *key), key->slot(parsed, part));
+    std::visit(Assignment(entry, *key), key->slot(parsed, row_for(parsed, *key, entry.path)));
     given.insert(join(entry.path));
     if (key->dimension != Dimension::number)
       parsed.written[join(entry.path)] = entry.found;
   }
   require_keys(parsed, given, file.string());
+  check_bird(parsed, given, file.string());
+  refuse_idle_keys(parsed, entries);
   // Each kind of viscosity has its own constants, where the case gives none.
   const Viscosity usual = usual_viscosity(parsed.run.viscosity.kind);
   if (!given.contains("run.viscosity_linear"))
@@ -226,11 +261,9 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
     throw InputError(
         fmt::format("{}: target.rigid = false: deformable targets are not available yet; allowed is true",
                     file.string()));
-  if (parsed.bird.parts.empty())
-    throw InputError(
-        fmt::format("{}: bird.parts is missing: every part of the mesh needs its porosity, for example "
-                    "torso = {{ porosity = 0.6 }} under [bird.parts]",
-                    file.string()));
+  check_tables(parsed, file.string());
+  if (is_column(parsed))
+    complete_column(parsed, given.contains("run.end"));
   return parsed;
 }
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -18,21 +19,26 @@ struct PartCase
   std::string name;
   double porosity = 0;              //!< volume share of air [-]
   std::string eos = "impact-event"; //!< one of porous_law_names()
+  int layers = 60;                  //!< of a column [-]
 };
 
 struct BirdCase
 {
-  std::string mesh;            //!< as written
-  double mesh_unit = 1;        //!< length of one unit of the mesh file [m]
-  double mass = 0;             //!< of the whole bird [kg]
-  double spacing = 0;          //!< between particles [m]
-  double velocity = 0;         //!< along +x [m/s]
-  double gap = 0.01;           //!< between bird and target at the start [m]
-  double smoothing = 1.28;     //!< h over spacing [-]; see share/doc/verification.md
-  double yaw = 0;              //!< turns the nose to the bird's left, about +z [rad]
-  double pitch = 0;            //!< turns the nose up [rad]
-  double roll = 0;             //!< turns the left wing up, about the flight axis [rad]
-  std::vector<PartCase> parts; //!< in the order of the file
+  std::string mesh;                             //!< as written; empty for a shape
+  std::string shape;                            //!< empty for a mesh, else of bird_shape_names()
+  double mesh_unit = 1;                         //!< length of one unit of the mesh file [m]
+  double mass = 0;                              //!< of the whole bird [kg]
+  double spacing = 0;                           //!< between particles [m]
+  double velocity = 0;                          //!< along flight_direction [m/s]
+  double gap = 0.01;                            //!< between bird and target at the start [m]
+  double smoothing = 1.28;                      //!< h over spacing; counts squeezed lattices to 1e-4 [-]
+  double length_over_diameter = 2;              //!< of a shape [-]
+  int columns = 6;                              //!< of a column: cells sideways, each way
+  double impact_angle = 0.5 * std::numbers::pi; //!< between flight path and plate [rad]
+  double yaw = 0;                               //!< turns the nose to the bird's left, about +z [rad]
+  double pitch = 0;                             //!< turns the nose up [rad]
+  double roll = 0;                              //!< turns the left wing up, about the flight axis [rad]
+  std::vector<PartCase> parts;                  //!< in the order of the file
 };
 
 struct TargetCase
@@ -43,11 +49,21 @@ struct TargetCase
   bool rigid = true;
 };
 
+struct TransducerCase
+{
+  std::string name;
+  std::array<double, 2> centre{};            //!< y and z on the plate [m]
+  double diameter = 0;                       //!< [m]
+  double rise_time = 0;                      //!< 10-90 %; 0 for no filter [s]
+  double steady_from = 0.4, steady_to = 0.7; //!< window after first contact, in squash-up times [-]
+};
+
 struct Case
 {
   std::string title, source;
   BirdCase bird;
   TargetCase target;
+  std::vector<TransducerCase> transducers; //!< in the order of the file
   Settings run;
 
   std::filesystem::path file;                 //!< where it was read
@@ -64,6 +80,12 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
 
 //! The case as TOML with every default filled in; read_case gives an equal case back.
 std::string to_toml(const Case& parsed);
+
+//! Names for bird.shape: those of shape_names() and "column".
+std::vector<std::string> bird_shape_names();
+
+//! A stack of layers in a box that repeats sideways, for plane waves; see column.h.
+bool is_column(const Case& parsed);
 
 //! The bird's mesh: an absolute path, a path beside the case file, or a file of share/meshes, in this order.
 //! \throw InputError naming every place that was looked at

@@ -36,21 +36,24 @@ std::string to_toml(const Case& parsed)
       text += fmt::format("\n[{}]\n", name);
     table = name;
   };
-  bool parts_written = false;
+  std::string written_table; // of rows with names
   for (const Key& key : case_keys()) {
+    if (key.only && !key.only->holds(values))
+      continue;
     const std::string path(key.path);
     const std::size_t star = path.find('*'), dot = path.find('.');
     if (star != std::string::npos) {
-      if (parts_written)
-        continue; // all keys of a part stand together
-      parts_written = true;
-      for (std::size_t part = 0; part < values.bird.parts.size(); ++part) {
-        const std::string& name = values.bird.parts[part].name;
-        open("bird.parts." + (is_bare(name) ? name : toml_string(name)));
-        for (const Key& of_part : case_keys())
-          if (of_part.path.starts_with("bird.parts.*."))
-            line(of_part, fmt::format("bird.parts.{}.{}", name, of_part.path.substr(star + 2)),
-                 std::string(of_part.path.substr(star + 2)), part);
+      const std::string prefix = path.substr(0, star);
+      if (prefix == written_table)
+        continue; // all keys of a row stand together
+      written_table = prefix;
+      const std::vector<std::string> names = names_for(values, key);
+      for (std::size_t row = 0; row < names.size(); ++row) {
+        open(prefix + (is_bare(names[row]) ? names[row] : toml_string(names[row])));
+        for (const Key& of_row : case_keys())
+          if (of_row.path.starts_with(prefix + "*.") && (!of_row.only || of_row.only->holds(values)))
+            line(of_row, fmt::format("{}{}.{}", prefix, names[row], of_row.path.substr(star + 2)),
+                 std::string(of_row.path.substr(star + 2)), row);
       }
       continue;
     }

@@ -85,11 +85,13 @@ void make_bird(const Options& options)
     throw OutputError(
         fmt::format("{}: there is no folder {}; make it first", options.output.string(), folder.string()));
   Case parsed = is_mesh ? case_of_mesh(options) : read_case(find_case(options.input), options.overrides);
-  const BirdMesh mesh =
-      read_bird_mesh(is_mesh ? input : find_mesh(parsed), parsed.bird.mesh_unit, parsed.bird.parts, log);
-  if (is_mesh)
+  const BuiltBird bird = [&] {
+    if (!is_mesh)
+      return build_bird(parsed, log);
+    const BirdMesh mesh = read_bird_mesh(input, parsed.bird.mesh_unit, parsed.bird.parts, log);
     parsed.bird.parts = usual_parts(mesh);
-  const BuiltBird bird = build_bird(parsed, mesh, log);
+    return build_bird(parsed, mesh, log);
+  }();
   write_vtu(*particles_to_vtk(bird.particles, 0), options.output);
   log.info(fmt::format("particles in {}", options.output.string()));
 }

@@ -62,16 +62,6 @@ std::array<double, 2> pressure_range(const std::vector<Frame>& frames)
   return {0, std::ceil(high / digit) * digit};
 }
 
-//! A title that fits the width of a picture beside the time, cut at the end if need be.
-std::string fitting_title(const std::string& title)
-{
-  constexpr std::size_t most = 60; // letters at 1280 pixels
-  std::size_t end = most - 3;
-  while (end > 0 && (static_cast<unsigned char>(title[end < title.size() ? end : 0]) & 0xC0) == 0x80)
-    --end; // not within a letter of several bytes
-  return title.size() <= most ? title : title.substr(0, end) + "...";
-}
-
 std::string to_text(const Colour& colour)
 {
   return fmt::format("#{:02x}{:02x}{:02x}", std::lround(255 * colour[0]), std::lround(255 * colour[1]),
@@ -87,6 +77,15 @@ std::vector<double> column(const History& history, std::size_t index, double fac
 }
 
 } // namespace
+
+std::string fitting_title(const std::string& title)
+{
+  constexpr std::size_t most = 60; // letters at 1280 pixels
+  std::size_t end = most - 3;
+  while (end > 0 && (static_cast<unsigned char>(title[end < title.size() ? end : 0]) & 0xC0) == 0x80)
+    --end; // not within a letter of several bytes
+  return title.size() <= most ? title : title.substr(0, end) + "...";
+}
 
 std::vector<fs::path> write_pictures(const fs::path& pvd, const fs::path& folder, const std::string& title,
                                      View view)

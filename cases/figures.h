@@ -22,6 +22,9 @@ std::vector<std::filesystem::path> write_pictures(const std::filesystem::path& p
                                                   const std::filesystem::path& folder,
                                                   const std::string& title, View view = View::side);
 
+//! A title that fits the width of a picture, cut at the end if need be.
+std::string fitting_title(const std::string& title);
+
 //! maximum_pressure.png: largest pressure over time, whole bird and each part; and contact_force.png where
 //! the history has that column. \param frames  maxima on the frames of the series, drawn as marks; may be
 //! empty

@@ -10,13 +10,17 @@ namespace birdstrike {
 std::vector<std::string> flight_warnings(const Particles& bird, const RigidPlate& plate,
                                          const Settings& settings)
 {
+  if (settings.periodic) // a plane wave is not meant to run to the end
+    return {};
   double past = 0, mass = 0, nose = -1e300, tail = 1e300, speed = 0;
   for (std::size_t i = 0; i < bird.size(); ++i) {
     mass += bird.mass[i];
-    past += plate.element_at(bird.y[i], bird.z[i]) < 0 ? bird.mass[i] : 0;
+    const double way = bird.vx[i] > 0 ? -bird.x[i] / bird.vx[i] : 0; // until it meets the plate's plane [s]
+    past +=
+        plate.element_at(bird.y[i] + way * bird.vy[i], bird.z[i] + way * bird.vz[i]) < 0 ? bird.mass[i] : 0;
     nose = std::max(nose, bird.x[i]);
     tail = std::min(tail, bird.x[i]);
-    speed = std::max(speed, bird.vx[i]);
+    speed = std::max(speed, bird.vx[i]); // into the plate
   }
 
   std::vector<std::string> warnings;

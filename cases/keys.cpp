@@ -7,12 +7,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace birdstrike {
 namespace {
 
 using enum Dimension;
+
+constexpr double degree = std::numbers::pi / 180;
 
 Range above(double low) { return {low, {}, true}; }
 Range at_least(double low) { return {low, {}, false}; }
@@ -43,34 +46,53 @@ std::vector<std::string> viscosity_names()
   return names;
 }
 
+const Condition no_shape{"a bird without bird.shape", [](const Case& c) { return c.bird.shape.empty(); }};
+const Condition no_mesh{"a bird without bird.mesh", [](const Case& c) { return c.bird.mesh.empty(); }};
+const Condition with_body{"a bird.shape that is not a column",
+                          [](const Case& c) { return !c.bird.shape.empty() && !is_column(c); }};
+const Condition with_column{"a column", is_column};
+const Condition no_column{"a bird that is not a column", [](const Case& c) { return !is_column(c); }};
+
 // clang-format off
 #define SLOT(member) [](Case& c, std::size_t) -> Slot { return &c.member; }
 #define PART_SLOT(member) [](Case& c, std::size_t part) -> Slot { return &c.bird.parts[part].member; }
+#define TRANSDUCER_SLOT(member) [](Case& c, std::size_t row) -> Slot { return &c.transducers[row].member; }
 const std::vector<Key>& table()
 {
   static const std::vector<Key> rows{
     {"title", number, "", true, {}, "what the case shows, in one line", SLOT(title)},
     {"source", number, "", false, {}, "where the case comes from", SLOT(source)},
 
-    {"bird.mesh", number, "", true, {}, "mesh file with named parts: a path beside the case, or a file of share/meshes", SLOT(bird.mesh)},
-    {"bird.mesh_unit", length, "m", false, above(0), "length of one unit of the mesh file", SLOT(bird.mesh_unit)},
-    {"bird.mass", mass, "kg", true, above(0), "mass of the whole bird, met exactly", SLOT(bird.mass)},
+    {"bird.mesh", number, "", true, {}, "mesh file with named parts: a path beside the case, or a file of share/meshes; this or bird.shape", SLOT(bird.mesh), nullptr, &no_shape},
+    {"bird.shape", number, "", true, {}, "substitute bird made from numbers, without a mesh; a column is a stack of layers in a box that repeats sideways, for plane waves", SLOT(bird.shape), bird_shape_names, &no_mesh},
+    {"bird.length_over_diameter", number, "", false, within(0.05, 20), "length over diameter, rounded ends included; a sphere has 1", SLOT(bird.length_over_diameter), nullptr, &with_body},
+    {"bird.columns", number, "", false, within(1, 1000), "cells of a column sideways, each way", SLOT(bird.columns), nullptr, &with_column},
+    {"bird.mesh_unit", length, "m", false, above(0), "length of one unit of the mesh file", SLOT(bird.mesh_unit), nullptr, &no_shape},
+    {"bird.mass", mass, "kg", true, above(0), "mass of the whole bird, met exactly", SLOT(bird.mass), nullptr, &no_column},
     {"bird.spacing", length, "mm", true, above(0), "distance between particles", SLOT(bird.spacing)},
-    {"bird.velocity", velocity, "m/s", true, above(0), "speed towards the target, along +x", SLOT(bird.velocity)},
-    {"bird.gap", length, "mm", false, at_least(0), "distance between bird and target at the start", SLOT(bird.gap)},
+    {"bird.velocity", velocity, "m/s", true, above(0), "speed of flight", SLOT(bird.velocity)},
+    {"bird.impact_angle", angle, "deg", false, within(10 * degree * (1 - 1e-12), 90 * degree * (1 + 1e-12)), "between flight path and plate: below 90 deg the bird descends along its own axis towards the middle of the plate", SLOT(bird.impact_angle), nullptr, &no_column},
+    {"bird.gap", length, "mm", false, at_least(0), "distance between bird and target at the start, across the plate", SLOT(bird.gap)},
     {"bird.smoothing", number, "", false, within(0.8, 3), "smoothing length over spacing", SLOT(bird.smoothing)},
-    {"bird.yaw", angle, "deg", false, {}, "turns the nose to the bird's left, about the vertical axis", SLOT(bird.yaw)},
-    {"bird.pitch", angle, "deg", false, {}, "turns the nose up", SLOT(bird.pitch)},
-    {"bird.roll", angle, "deg", false, {}, "turns the left wing up, about the flight axis", SLOT(bird.roll)},
+    {"bird.yaw", angle, "deg", false, {}, "turns the nose to the bird's left, about the vertical axis", SLOT(bird.yaw), nullptr, &no_column},
+    {"bird.pitch", angle, "deg", false, {}, "turns the nose up", SLOT(bird.pitch), nullptr, &no_column},
+    {"bird.roll", angle, "deg", false, {}, "turns the left wing up, about the flight axis", SLOT(bird.roll), nullptr, &no_column},
     {"bird.parts.*.porosity", number, "", true, within(0, 0.9), "volume share of air in the part's material", PART_SLOT(porosity)},
     {"bird.parts.*.eos", number, "", false, {}, "equation of state of the part", PART_SLOT(eos), law_names},
+    {"bird.parts.*.layers", number, "", false, within(1, 100000), "layers of the part in a column, whose parts are stacked from the plate on in the order of the file", PART_SLOT(layers), nullptr, &with_column},
 
-    {"target.plate.size", length, "m", true, above(0), "edge lengths of the plate, sideways and upwards", SLOT(target.size)},
-    {"target.plate.thickness", length, "mm", true, above(0), "thickness of the plate", SLOT(target.thickness)},
-    {"target.plate.elements", number, "", true, within(1, 2000), "number of elements, sideways and upwards", SLOT(target.elements)},
+    {"target.plate.size", length, "m", true, above(0), "edge lengths of the plate, sideways and upwards", SLOT(target.size), nullptr, &no_column},
+    {"target.plate.thickness", length, "mm", true, above(0), "thickness of the plate", SLOT(target.thickness), nullptr, &no_column},
+    {"target.plate.elements", number, "", true, within(1, 2000), "number of elements, sideways and upwards", SLOT(target.elements), nullptr, &no_column},
     {"target.rigid", number, "", false, {}, "the plate does not move; deformable plates are not available yet", SLOT(target.rigid)},
 
-    {"run.end", time, "ms", true, above(0), "simulated time", SLOT(run.end_time)},
+    {"transducers.*.centre", length, "mm", false, {}, "middle of the transducer's face, sideways and upwards from the middle of the plate", TRANSDUCER_SLOT(centre), nullptr, &no_column},
+    {"transducers.*.diameter", length, "mm", true, above(0), "diameter of the face", TRANSDUCER_SLOT(diameter), nullptr, &no_column},
+    {"transducers.*.rise_time", time, "us", false, at_least(0), "10 to 90 % rise time of the single-pole low pass behind the face; 0 for none", TRANSDUCER_SLOT(rise_time), nullptr, &no_column},
+    {"transducers.*.steady_from", number, "", false, at_least(0), "begin of the window of the steady mean, in squash-up times L/u after first contact", TRANSDUCER_SLOT(steady_from), nullptr, &no_column},
+    {"transducers.*.steady_to", number, "", false, above(0), "end of that window", TRANSDUCER_SLOT(steady_to), nullptr, &no_column},
+
+    {"run.end", time, "ms", true, above(0), "simulated time; for a column by default until four fifths of it are shocked", SLOT(run.end_time), nullptr, nullptr, &with_column},
     {"run.frames", number, "", false, within(1, 100000), "states written after the one at the start, evenly spaced", SLOT(run.frames)},
     {"run.courant", number, "", false, above_within(0, 1), "share of the largest stable time step", SLOT(run.courant)},
     {"run.viscosity", number, "", false, {}, "artificial viscosity: limited spares smooth flow; pairwise is Monaghan's, switched the same but for shear; dissertation is the bulk term of equation 5.58", SLOT(run.viscosity.kind), viscosity_names},
@@ -84,14 +106,56 @@ const std::vector<Key>& table()
 }
 #undef SLOT
 #undef PART_SLOT
+#undef TRANSDUCER_SLOT
 // clang-format on
 
-//! A Case with one part, to look defaults up in.
+//! The tables whose rows have names; a '*' stands for one of them.
+struct NamedTable
+{
+  std::string_view prefix; //!< of the paths, up to the '*'
+  std::vector<std::string> (*names)(const Case& parsed);
+  void (*add)(Case& parsed, const std::string& name);
+};
+
+template <class Row>
+std::vector<std::string> names_of(const std::vector<Row>& rows)
+{
+  std::vector<std::string> names;
+  for (const Row& row : rows)
+    names.push_back(row.name);
+  return names;
+}
+
+constexpr std::array named_tables{
+    NamedTable{"bird.parts.", [](const Case& c) { return names_of(c.bird.parts); },
+               [](Case& c, const std::string& name) { c.bird.parts.push_back({.name = name}); }},
+    NamedTable{"transducers.", [](const Case& c) { return names_of(c.transducers); },
+               [](Case& c, const std::string& name) { c.transducers.push_back({.name = name}); }}};
+
+const NamedTable* table_of(std::string_view path)
+{
+  for (const NamedTable& named : named_tables)
+    if (path.starts_with(named.prefix))
+      return &named;
+  return nullptr;
+}
+
+std::size_t row_named(Case& parsed, const NamedTable& named, const std::string& name)
+{
+  const std::vector<std::string> names = named.names(parsed);
+  const auto row = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+  if (row == names.size())
+    named.add(parsed, name);
+  return row;
+}
+
+//! A Case with one part and one transducer, to look defaults up in.
 Case& defaults()
 {
   static Case values = [] {
     Case c;
     c.bird.parts.emplace_back();
+    c.transducers.emplace_back();
     return c;
   }();
   return values;
@@ -106,16 +170,6 @@ std::vector<std::string> split(std::string_view path)
     from = to + 1;
   }
   return segments;
-}
-
-//! The key's path with '*' replaced by what stands there in \p path.
-std::string named(const Key& key, const std::vector<std::string>& path)
-{
-  std::vector<std::string> segments = split(key.path);
-  for (std::size_t i = 0; i < segments.size(); ++i)
-    if (segments[i] == "*")
-      segments[i] = i < path.size() ? path[i] : "<part>";
-  return fmt::format("{}", fmt::join(segments, "."));
 }
 
 //! Levenshtein's distance.
@@ -158,6 +212,40 @@ ViscosityKind viscosity_kind(std::string_view name)
   return std::find_if(std::begin(viscosities), std::end(viscosities),
                       [name](const NamedViscosity& v) { return v.name == name; })
       ->kind;
+}
+
+std::string named(const Key& key, const std::vector<std::string>& path)
+{
+  std::vector<std::string> segments = split(key.path);
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    if (segments[i] == "*")
+      segments[i] = i < path.size() ? path[i] : "<name>";
+  return fmt::format("{}", fmt::join(segments, "."));
+}
+
+std::vector<std::string> names_for(const Case& parsed, const Key& key)
+{
+  const NamedTable* named = key.path.find('*') == std::string_view::npos ? nullptr : table_of(key.path);
+  return named ? named->names(parsed) : std::vector<std::string>();
+}
+
+std::size_t row_for(Case& parsed, const Key& key, const std::vector<std::string>& path)
+{
+  const std::vector<std::string> segments = split(key.path);
+  const auto star = std::find(segments.begin(), segments.end(), "*");
+  if (star == segments.end())
+    return 0;
+  return row_named(parsed, *table_of(key.path), path[static_cast<std::size_t>(star - segments.begin())]);
+}
+
+bool make_empty_row(Case& parsed, const std::vector<std::string>& path)
+{
+  const std::string parent = fmt::format("{}.", fmt::join(path.begin(), path.end() - 1, "."));
+  const NamedTable* named = path.size() > 1 ? table_of(parent) : nullptr;
+  if (!named || parent != named->prefix)
+    return false;
+  row_named(parsed, *named, path.back());
+  return true;
 }
 
 const Key* find_key(const std::vector<std::string>& path)
@@ -210,9 +298,16 @@ std::string kind_of(const Key& key)
                     key.slot(defaults(), 0));
 }
 
-std::string describe(const Range& range, Dimension dimension)
+std::string describe(const Range& in_si, Dimension dimension)
 {
-  const std::string unit = dimension == number ? "" : fmt::format(" {}", si_unit(dimension));
+  Range range = in_si;
+  std::string unit = dimension == number ? "" : fmt::format(" {}", si_unit(dimension));
+  if (dimension == angle) { // nobody thinks in radians
+    unit = " deg";
+    for (auto* bound : {&range.low, &range.high})
+      if (*bound)
+        *bound = std::round(1e6 * **bound / degree) / 1e6;
+  }
   if (range.low && range.high)
     return fmt::format("{}{} ... {}{}", range.low_open ? "above " : "", *range.low, *range.high, unit);
   if (range.low)
@@ -264,9 +359,12 @@ std::string keys_manual()
   std::string text;
   for (const Key& key : table()) {
     const std::string range = describe(key.range, key.dimension);
-    text += fmt::format("{}\n    {}\n    {}{}; {}\n", named(key, {}), key.text, kind_of(key),
+    text += fmt::format("{}\n    {}\n    {}{}; {}{}\n", named(key, {}), key.text, kind_of(key),
                         range.empty() ? "" : ", " + range,
-                        key.required ? "required" : "default " + to_toml(key.slot(defaults(), 0), key));
+                        key.required ? "required" : "default " + to_toml(key.slot(defaults(), 0), key),
+                        key.unless ? fmt::format(", but not for {}", key.unless->text)
+                        : key.only ? fmt::format("; only for {}", key.only->text)
+                                   : "");
   }
   return text;
 }

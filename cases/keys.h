@@ -27,16 +27,25 @@ struct Range
   bool low_open = false; //!< low itself is not allowed
 };
 
+//! Cases for which something about a key holds.
+struct Condition
+{
+  std::string_view text; //!< after "with" or "for"
+  bool (*holds)(const Case& parsed);
+};
+
 struct Key
 {
-  std::string_view path; //!< "bird.spacing"; a '*' stands for the name of a part
+  std::string_view path; //!< "bird.spacing"; a '*' stands for the name of a part or transducer
   Dimension dimension;   //!< of numbers; Dimension::number for everything else
   std::string_view unit; //!< in which defaults are shown
   bool required;
   Range range;
   std::string_view text;
-  Slot (*slot)(Case& parsed, std::size_t part); //!< part: row of bird.parts, for paths with '*'
+  Slot (*slot)(Case& parsed, std::size_t row); //!< row: of the table with names, for paths with '*'
   std::vector<std::string> (*choices)() = nullptr;
+  const Condition* only = nullptr;   //!< elsewhere the key has no meaning and is refused
+  const Condition* unless = nullptr; //!< a required key may be left out there
 };
 
 //! "limited", "pairwise", "switched" or "dissertation", the bulk term of 5.58.
@@ -47,6 +56,19 @@ ViscosityKind viscosity_kind(std::string_view name);
 //! All keys, in the order in which a case file is written.
 std::span<const Key> case_keys();
 
+//! What the '*' of a key may stand for in a case, in the order of the file: its parts or its transducers. Empty for a key
+//! without '*'.
+std::vector<std::string> names_for(const Case& parsed, const Key& key);
+
+//! Row of what the '*' of a path stands for, made at its first mention; 0 for a key without '*'.
+std::size_t row_for(Case& parsed, const Key& key, const std::vector<std::string>& path);
+
+//! Is this a named row with nothing in it, such as "[bird.parts.torso]"? Makes the row.
+bool make_empty_row(Case& parsed, const std::vector<std::string>& path);
+
+//! The key's path with '*' replaced by what stands there in \p path, or by "<name>".
+std::string named(const Key& key, const std::vector<std::string>& path);
+
 //! The row for a path as written in a case file, or null.
 const Key* find_key(const std::vector<std::string>& path);
 
@@ -56,7 +78,7 @@ std::string nearest_key(const std::vector<std::string>& path);
 //! "a length", "a list of 2 integers", ... for messages and the manual.
 std::string kind_of(const Key& key);
 
-//! "> 0 m", "0 ... 0.9", "" ; in SI
+//! "> 0 m", "0 ... 0.9", "" ; in SI, angles in degrees
 std::string describe(const Range& range, Dimension dimension);
 
 //! The value in a slot as TOML text: "6 mm" with quotes, 1.25, true, ["1.8 m", "1.2 m"].

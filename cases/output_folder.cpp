@@ -35,6 +35,7 @@ constexpr std::array own_files{
     "figures/by_pressure_*.png",
     "figures/maximum_pressure.png",
     "figures/contact_force.png",
+    "figures/transducers.png",
 };
 
 bool matches(std::string_view name, std::string_view pattern)

@@ -11,8 +11,11 @@
 #include "cases/progress.h"
 #include "cases/series_histories.h"
 #include "cases/summary.h"
+#include "cases/transducer_plot.h"
+#include "cases/transducer_report.h"
 #include "core/error.h"
 #include "core/simulation.h"
+#include "core/theory/impact_pressures.h"
 #include "vtkio/atomic_file.h"
 #include "vtkio/particles_to_vtk.h"
 #include "vtkio/series_writer.h"
@@ -22,7 +25,9 @@
 #include <vtkTable.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
 #include <chrono>
+#include <optional>
 #include <sstream>
 
 #include <omp.h>
@@ -43,21 +48,25 @@ double seconds_since(Clock::time_point start)
 class Recorder : public Observer
 {
 public:
-  Recorder(const fs::path& folder, Log& log)
+  Recorder(const fs::path& folder, bool transducers, Log& log)
       : series_(folder), histories_(folder / "histories.csv"), progress_(log)
   {
+    if (transducers)
+      transducers_.emplace(folder / "transducers.csv");
   }
 
   void on_step(const Simulation& run) override
   {
     progress_.update(run);
-    histories_.append(run.history());
+    append(run);
   }
 
   void on_frame(const Simulation& run) override
   {
-    histories_.append(run.history());
+    append(run);
     histories_.flush();
+    if (transducers_)
+      transducers_->flush();
     const auto bird = particles_to_vtk(run.particles(), run.time());
     const auto target = run.plate() ? plate_to_vtk(*run.plate(), run.time()) : nullptr;
     series_.write_frame(run.time(), *bird, target);
@@ -67,8 +76,16 @@ public:
   const SeriesWriter& series() const { return series_; }
 
 private:
+  void append(const Simulation& run)
+  {
+    histories_.append(run.history());
+    if (transducers_)
+      transducers_->append(run.transducer_history());
+  }
+
   SeriesWriter series_;
   HistoryFile histories_;
+  std::optional<HistoryFile> transducers_;
   Progress progress_;
 };
 
@@ -85,11 +102,35 @@ void say_lines(Log& log, const std::string& text)
     log.info(line);
 }
 
-void run_and_record(const Case& parsed, const RunOptions& options, Simulation& run, double density_factor,
-                    Clock::time_point start, Log& log)
+//! Law of the part with the highest Hugoniot pressure, as in the summary.
+const EquationOfState& hardest_law(const std::vector<Part>& parts, double speed)
+{
+  return std::max_element(parts.begin(), parts.end(),
+                          [speed](const Part& a, const Part& b) {
+                            return hugoniot(a.eos, speed).pressure < hugoniot(b.eos, speed).pressure;
+                          })
+      ->eos;
+}
+
+//! What transducers and, in a column, the plate tell.
+void evaluate_gauges(const Case& parsed, const Simulation& run, const Flight& flight, RunFacts& facts)
+{
+  const std::vector<Part>& parts = run.particles().parts;
+  if (!parsed.transducers.empty())
+    facts.transducers = report_transducers(run.transducer_history(), parsed, flight,
+                                           hardest_law(parts, flight.normal_speed()));
+  if (is_column(parsed))
+    facts.planar =
+        check_plane_wave(run.history(), {parts.front().eos, parsed.bird.parts.front().layers,
+                                         parsed.bird.spacing, flight.normal_speed(), flight.contact_time(),
+                                         parsed.target.size[0] * parsed.target.size[1]});
+}
+
+void run_and_record(const Case& parsed, const RunOptions& options, Simulation& run, const Flight& flight,
+                    double density_factor, Clock::time_point start, Log& log)
 {
   write_text_atomically(options.output / "case.toml", to_toml(parsed));
-  Recorder recorder(options.output, log);
+  Recorder recorder(options.output, !parsed.transducers.empty(), log);
   try {
     run.run(recorder);
   } catch (...) {
@@ -101,6 +142,7 @@ void run_and_record(const Case& parsed, const RunOptions& options, Simulation& r
   RunFacts facts;
   facts.density_factor = density_factor;
   facts.series_bytes = recorder.series().bytes();
+  evaluate_gauges(parsed, run, flight, facts);
   if (options.figures) {
     log.info("drawing figures");
     const auto figures_start = Clock::now();
@@ -108,6 +150,13 @@ void run_and_record(const Case& parsed, const RunOptions& options, Simulation& r
     write_pictures(recorder.series().pvd(), folder, parsed.title);
     write_plots(run.history(), to_history(*histories_of_series(recorder.series().pvd())), folder,
                 parsed.title);
+    if (!parsed.transducers.empty()) {
+      const EquationOfState& law = hardest_law(run.particles().parts, flight.normal_speed());
+      write_transducer_plot(
+          run.transducer_history(),
+          {hugoniot(law, flight.normal_speed()).pressure, stagnation_standing_shock(law, flight.speed)},
+          fitting_title(parsed.title), folder / "transducers.png");
+    }
     facts.figure_seconds = seconds_since(figures_start);
   }
   facts.wall_seconds = seconds_since(start);
@@ -131,13 +180,12 @@ void run_case(const Case& parsed, const RunOptions& options, Log& log)
   log.info(parsed.title);
   if (options.threads > 0)
     omp_set_num_threads(options.threads); // for the fill, too
-  const BirdMesh mesh = read_bird_mesh(find_mesh(parsed), parsed.bird.mesh_unit, parsed.bird.parts, log);
-  BuiltBird bird = build_bird(parsed, mesh, log);
+  BuiltBird bird = build_bird(parsed, log);
   Settings settings = parsed.run;
   settings.threads = options.threads;
   const RigidPlate plate = make_plate(parsed.target);
   const std::vector<std::string> warnings = flight_warnings(bird.particles, plate, settings);
-  Simulation run(std::move(bird.particles), plate, settings);
+  Simulation run(std::move(bird.particles), plate, settings, transducers_of(parsed));
 
   // Nothing is touched on the disk before the input is known to be right.
   prepare_output_folder(options.output);
@@ -145,7 +193,7 @@ void run_case(const Case& parsed, const RunOptions& options, Log& log)
   for (const std::string& warning : warnings)
     log.warn(warning);
   try {
-    run_and_record(parsed, options, run, bird.density_factor, start, log);
+    run_and_record(parsed, options, run, bird.flight, bird.density_factor, start, log);
   } catch (const std::exception& error) {
     log.file_only(fmt::format("error: {}", error.what()));
     throw;

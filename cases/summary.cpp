@@ -67,7 +67,8 @@ double updates_per_second(const Simulation& run)
              : 0;
 }
 
-//! Exact one-dimensional pressures of a part at the bird's first speed into the plate.
+//! Exact pressures of a part at the bird's first speed: the shock's at its component into the plate, those of the
+//! stagnation point at the whole of it, as its streamline is slowed down to rest whatever the angle (section 7.3).
 struct Theory
 {
   std::string part;
@@ -79,10 +80,11 @@ std::vector<Theory> theory_of(const Simulation& run)
   std::vector<Theory> rows;
   const Ledger& ledger = run.ledger();
   const double speed = ledger.mass > 0 ? ledger.initial_momentum[0] / ledger.mass : 0;
+  const double whole = ledger.mass > 0 ? ledger.initial_momentum.norm() / ledger.mass : 0;
   for (const Part& part : run.particles().parts)
     if (speed > 0)
-      rows.push_back({part.name, hugoniot(part.eos, speed).pressure, stagnation_bernoulli(part.eos, speed),
-                      stagnation_standing_shock(part.eos, speed)});
+      rows.push_back({part.name, hugoniot(part.eos, speed).pressure, stagnation_bernoulli(part.eos, whole),
+                      stagnation_standing_shock(part.eos, whole)});
   return rows;
 }
 
@@ -106,6 +108,8 @@ std::string summary_json(const Simulation& run, const RunFacts& facts)
   json["density_factor"] = facts.density_factor;
   json["impulse"] = impulse;
   json["impulse_over_momentum"] = momentum > 0 ? impulse / momentum : 0;
+  const double normal_momentum = ledger.initial_momentum[0];
+  json["impulse_over_normal_momentum"] = normal_momentum > 0 ? ledger.impulse[0] / normal_momentum : 0;
   json["impulse_error"] = momentum > 0 ? (lost - ledger.impulse).norm() / momentum : 0;
   if (run.first_contact())
     json["contact_time"] = *run.first_contact();
@@ -136,6 +140,10 @@ std::string summary_json(const Simulation& run, const RunFacts& facts)
     for (const Theory& row : theory)
       json["theory"][row.part] = values(row);
   }
+  if (!facts.transducers.empty())
+    json["transducers"] = to_json(facts.transducers);
+  if (facts.planar)
+    json["verification"] = to_json(*facts.planar);
   const Shares& shares = run.shares();
   json["shares"] = {{"particles", shares.particles},
                     {"contact", shares.contact},
@@ -171,6 +179,17 @@ std::string summary_table(const Simulation& run, const RunFacts& facts)
     row("peak pressure " + peak.name,
         fmt::format("{:.2f} MPa at {:.3f} ms{}", 1e-6 * peak.value, 1e3 * peak.time, exact));
   }
+  for (const TransducerReport& t : facts.transducers)
+    row("transducer " + t.name,
+        fmt::format("peak {:.2f} MPa at {:.3f} ms{}{}", 1e-6 * t.peak, 1e3 * t.peak_time,
+                    std::isfinite(t.pulse_mean) ? fmt::format(", pulse {:.2f} MPa", 1e-6 * t.pulse_mean) : "",
+                    std::isfinite(t.steady_mean) ? fmt::format(", steady {:.2f} MPa", 1e-6 * t.steady_mean)
+                                                 : ""));
+  if (facts.planar)
+    row("plane wave",
+        fmt::format("plateau {:.4g} MPa, Hugoniot {:.4g} MPa, ripple {:.2f} %, overshoot {:.2f}",
+                    1e-6 * facts.planar->plateau_mean, 1e-6 * facts.planar->hugoniot_pressure,
+                    100 * facts.planar->plateau_ripple, facts.planar->overshoot));
   row("series", fmt::format("{:.1f} MB", 1e-6 * static_cast<double>(facts.series_bytes)));
   text.pop_back();
   return text;

@@ -2,7 +2,11 @@
 // What came out of a run, in scalars: summary.json and the table at its end.
 #pragma once
 
+#include "cases/planar_check.h"
+#include "cases/transducer_report.h"
+
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace birdstrike {
@@ -16,6 +20,8 @@ struct RunFacts
   std::uintmax_t series_bytes = 0;
   double figure_seconds = 0;
   double wall_seconds = 0; //!< of the whole command so far
+  std::vector<TransducerReport> transducers;
+  std::optional<PlanarCheck> planar; //!< of a column
 };
 
 //! summary.json, all in SI; the keys are those that README.md lists.

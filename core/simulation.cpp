@@ -71,6 +71,7 @@ struct Simulation::State
   std::vector<double> trial_vx, trial_vy, trial_vz, trial_density;
 
   History history;
+  TransducerGauges transducers;
   Ledger ledger;
   Shares shares;
   double time = 0;
@@ -78,13 +79,14 @@ struct Simulation::State
   long steps = 0;
   std::optional<double> first_contact;
 
-  State(Particles p, std::optional<RigidPlate> target, const Settings& s)
+  State(Particles p, std::optional<RigidPlate> target, const Settings& s, std::vector<Transducer> faces)
       : settings(s),
         particles(std::move(p)),
         plate(std::move(target)),
         sph(s, plate ? &*plate : nullptr),
         neighbours(skin_over_h * particles.initial_smoothing,
-                   s.periodic ? Period{s.periodic->size_y, s.periodic->size_z} : Period{})
+                   s.periodic ? Period{s.periodic->size_y, s.periodic->size_z} : Period{}),
+        transducers(std::move(faces), particles.spacing)
   {
   }
 
@@ -212,12 +214,14 @@ void Simulation::State::book()
     for (const Vector3& force : plate->force)
       highest = std::max(highest, force[0] / plate->element_area());
   record(history, particles, ledger, time, step.size, highest);
+  transducers.record(particles, rates, time);
 }
 
-Simulation::Simulation(Particles particles, std::optional<RigidPlate> plate, const Settings& settings)
+Simulation::Simulation(Particles particles, std::optional<RigidPlate> plate, const Settings& settings,
+                       std::vector<Transducer> transducers)
 {
   check(settings, particles, plate ? &*plate : nullptr);
-  state_ = std::make_unique<State>(std::move(particles), std::move(plate), settings);
+  state_ = std::make_unique<State>(std::move(particles), std::move(plate), settings, std::move(transducers));
 }
 
 Simulation::~Simulation() = default;
@@ -256,6 +260,7 @@ const Settings& Simulation::settings() const { return state_->settings; }
 const Particles& Simulation::particles() const { return state_->particles; }
 const RigidPlate* Simulation::plate() const { return state_->target(); }
 const History& Simulation::history() const { return state_->history; }
+const History& Simulation::transducer_history() const { return state_->transducers.history(); }
 const Ledger& Simulation::ledger() const { return state_->ledger; }
 const Shares& Simulation::shares() const { return state_->shares; }
 double Simulation::time() const { return state_->time; }

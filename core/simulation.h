@@ -5,6 +5,7 @@
 #include "core/contact/rigid_plate.h"
 #include "core/gauges/history.h"
 #include "core/gauges/ledger.h"
+#include "core/gauges/transducer.h"
 #include "core/particles/particles.h"
 #include "core/settings.h"
 #include "core/time_step.h"
@@ -34,7 +35,8 @@ class Simulation
 {
 public:
   //! \throw InputError if the settings are out of range, or a particle starts behind or inside the plate
-  Simulation(Particles particles, std::optional<RigidPlate> plate, const Settings& settings);
+  Simulation(Particles particles, std::optional<RigidPlate> plate, const Settings& settings,
+             std::vector<Transducer> transducers = {});
   ~Simulation();
   Simulation(Simulation&&) noexcept;
 
@@ -47,7 +49,8 @@ public:
   particles() const;               //!< rows in the order of the moment; particles().id tells which is which
   const RigidPlate* plate() const; //!< null without a target
   const History& history() const;  //!< one row per step, and one at t = 0; columns in gauges/history_columns
-  const Ledger& ledger() const;    //!< mass, momentum, energy; now and at the start
+  const History& transducer_history() const; //!< the same rows; see TransducerGauges
+  const Ledger& ledger() const;              //!< mass, momentum, energy; now and at the start
   const Shares& shares() const;
 
   double time() const;               //!< [s]

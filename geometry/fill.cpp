@@ -35,22 +35,6 @@ double physical_memory() // [bytes]
   return double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
 }
 
-void require_memory(double volume, const Box& box, double spacing)
-{
-  const double count = volume / std::pow(spacing, 3);
-  const double allowed = std::min(memory_share * physical_memory() / bytes_per_particle,
-                                  double(std::numeric_limits<std::int32_t>::max()));
-  if (count <= allowed)
-    return;
-  const double fits = 1.01 * std::cbrt(volume / allowed);
-  throw InputError(
-      text("a spacing of %.4g mm would make about %.3g particles, which need %.3g GB where the machine "
-           "has %.3g GB; the mesh is %.4g m long and holds %.4g m3 (is its unit right?); a spacing of "
-           "%.4g mm or more fits",
-           1e3 * spacing, count, 1e-9 * count * bytes_per_particle, 1e-9 * physical_memory(),
-           (box.upper - box.lower).maxCoeff(), volume, 1e3 * fits));
-}
-
 //! Lattice points along one axis: cells of one spacing, centred on the box.
 struct Axis
 {
@@ -132,6 +116,22 @@ double typical_thickness(const SurfacePart& part) { return 2 * signed_volume(par
 
 } // namespace
 
+void require_memory(double volume, double length, double spacing)
+{
+  const double count = volume / std::pow(spacing, 3);
+  const double allowed = std::min(memory_share * physical_memory() / bytes_per_particle,
+                                  double(std::numeric_limits<std::int32_t>::max()));
+  if (count <= allowed)
+    return;
+  const double fits = 1.01 * std::cbrt(volume / allowed);
+  throw InputError(
+      text("a spacing of %.4g mm would make about %.3g particles, which need %.3g GB where the machine "
+           "has %.3g GB; the bird is %.4g m long and holds %.4g m3 (is its unit right?); a spacing of "
+           "%.4g mm or more fits",
+           1e3 * spacing, count, 1e-9 * count * bytes_per_particle, 1e-9 * physical_memory(), length, volume,
+           1e3 * fits));
+}
+
 Fill fill_lattice(const SurfaceMesh& mesh, const std::vector<std::string>& part_of, double spacing)
 {
   require(std::isfinite(spacing) && spacing > 0,
@@ -146,7 +146,8 @@ Fill fill_lattice(const SurfaceMesh& mesh, const std::vector<std::string>& part_
             "object '" + object.name + "' encloses no volume or is inside out; flip its normals");
   }
   Box box = bounding_box(mesh);
-  require_memory(std::accumulate(volumes.begin(), volumes.end(), 0.0), box, spacing);
+  require_memory(std::accumulate(volumes.begin(), volumes.end(), 0.0), (box.upper - box.lower).maxCoeff(),
+                 spacing);
 
   Fill fill;
   fill.spacing = spacing;

@@ -36,6 +36,10 @@ struct Fill
 //!        positive
 Fill fill_lattice(const SurfaceMesh& mesh, const std::vector<std::string>& part_of, double spacing);
 
+//! \throw InputError, with a spacing that would do, if the particles of \p volume [m3] would not fit the machine's memory
+//! \param length  of what is filled, for the message [m]
+void require_memory(double volume, double length, double spacing);
+
 //! The part that an object of a CAD file belongs to, by its name: wing_left and Wing.R are "wings", spine,
 //! keel and rib_3 are "bones", body is "torso". \throw InputError naming the object and the known patterns
 //! when none fits

@@ -25,4 +25,8 @@ struct History
   std::size_t find(const std::string& name) const;
 };
 
+//! Mean of a column over \p from <= time <= \p to [s], values between rows on straight lines. NaN where the interval is
+//! empty or the table does not cover it.
+double time_mean(const History& history, std::size_t column, double from, double to);
+
 } // namespace birdstrike

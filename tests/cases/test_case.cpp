@@ -2,6 +2,7 @@
 #include "cases/case.h"
 
 #include "cases/case_entries.h"
+#include "cases/share_folder.h"
 #include "core/error.h"
 #include "scratch.h"
 
@@ -217,4 +218,22 @@ TEST_CASE("meshes are looked for beside the case and in the share folder", "[cas
   unsetenv("BIRDSTRIKE_SHARE");
   folder.write("box.obj", "");
   CHECK(find_mesh(parsed) == folder.path / "box.obj");
+}
+
+TEST_CASE("every case of the catalogue is sound and so is its echo", "[cases][case]")
+{
+  const scratch::Folder folder;
+  const std::vector<CatalogueEntry> entries = catalogue();
+  CHECK(entries.size() >= 9);
+  for (const CatalogueEntry& entry : entries) {
+    INFO(entry.name);
+    const Case parsed = read_case(entry.file);
+    const Case echo = read_case(folder.write("echo.toml", to_toml(parsed)));
+    check_equal(parsed, echo);
+    CHECK(echo.bird.shape == parsed.bird.shape);
+    CHECK(echo.bird.length_over_diameter == parsed.bird.length_over_diameter);
+    CHECK(echo.bird.impact_angle == parsed.bird.impact_angle);
+    CHECK(echo.bird.columns == parsed.bird.columns);
+    CHECK(echo.transducers.size() == parsed.transducers.size());
+  }
 }

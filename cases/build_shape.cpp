@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cases/build_shape.h"
+
+#include "core/error.h"
+#include "core/material/porous_bird.h"
+
+#include <fmt/format.h>
+
+namespace birdstrike {
+
+std::vector<std::string> bird_shape_names()
+{
+  const auto shapes = shape_names();
+  std::vector<std::string> names(shapes.begin(), shapes.end());
+  names.emplace_back("column");
+  return names;
+}
+
+ShapeSize size_of_shape(const Case& parsed)
+{
+  const BirdCase& bird = parsed.bird;
+  try {
+    return shape_size(bird.shape, bird.mass, porous_density(bird.parts.at(0).porosity),
+                      bird.length_over_diameter);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: bird.length_over_diameter: {}", parsed.file.string(), error.what()));
+  }
+}
+
+Fill fill_of_shape(const Case& parsed)
+{
+  const BirdCase& bird = parsed.bird;
+  if (!is_column(parsed)) {
+    const ShapeSize size = size_of_shape(parsed);
+    try {
+      return fill_shape(bird.shape, size, bird.spacing, bird.parts.at(0).name);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: bird.spacing: {}", parsed.file.string(), error.what()));
+    }
+  }
+  std::vector<std::pair<std::string, int>> layers;
+  for (const PartCase& part : bird.parts)
+    layers.emplace_back(part.name, part.layers);
+  try {
+    return fill_column(layers, bird.columns, bird.spacing);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: bird.parts: {}", parsed.file.string(), error.what()));
+  }
+}
+
+} // namespace birdstrike
