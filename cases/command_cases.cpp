@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <utility>
 
 namespace birdstrike {
 
@@ -37,11 +38,12 @@ void add_cases_command(CLI::App& program)
       require(!entries.empty(),
               "the catalogue is not found; set BIRDSTRIKE_SHARE to the project's share folder");
       for (const bool study : {false, true}) {
-        std::cout << (study ? "\nStudies, for birdstrike study NAME:\n"
-                            : "Cases, for birdstrike run NAME:\n");
+        const char* title =
+            study ? "\nStudies, for birdstrike study NAME:\n" : "Cases, for birdstrike run NAME:\n";
         for (const CatalogueEntry& entry : entries)
           if (entry.study == study)
-            std::cout << fmt::format("{:<28} {}\n{:<28} {}\n", entry.name, entry.title, "",
+            std::cout << std::exchange(title, "")
+                      << fmt::format("{:<38} {}\n{:<38} {}\n", entry.name, entry.title, "",
                                      entry.file.string());
       }
     }

@@ -15,8 +15,10 @@
 #include <cmath>
 #include <exception>
 #include <fnmatch.h>
+#include <iterator>
 #include <map>
 #include <new>
+#include <set>
 
 namespace fs = std::filesystem;
 
@@ -51,10 +53,33 @@ std::string time_left(const std::vector<RunResult>& results, std::size_t to_do)
                      : fmt::format(" (about {:.1f} h left)", left / 3600);
 }
 
+//! Hands warnings of runs on, each kind once: most are the same in all runs but for their numbers.
+class Warnings
+{
+public:
+  explicit Warnings(Log& log) : log_(log) {}
+
+  void say(const std::string& run, const std::string& warning)
+  {
+    std::string kind;
+    std::copy_if(warning.begin(), warning.end(), std::back_inserter(kind),
+                 [](unsigned char c) { return !std::isdigit(c) && c != '.'; });
+    if (said_.insert(kind).second)
+      log_.warn(
+          fmt::format("{}: {} (other runs with such a warning have it in their run.log)", run, warning));
+  }
+
+private:
+  Log& log_;
+  std::set<std::string> said_;
+};
+
 //! The message of a run that failed; "" if it did not.
-std::string make_run(const StudyRun& run, const StudyOptions& options, const fs::path& folder)
+std::string make_run(const StudyRun& run, const StudyOptions& options, const fs::path& folder,
+                     Warnings& warnings)
 {
   Log log(!options.verbose);
+  log.divert_warnings([&](const std::string& warning) { warnings.say(run.label, warning); });
   RunOptions how;
   how.output = folder;
   how.threads = options.threads;
@@ -113,6 +138,7 @@ void run_study(const Study& study, const std::vector<StudyRun>& runs, const Stud
   }
   write_results(study, runs, results, folder);
 
+  Warnings warnings(log);
   std::size_t failed = 0;
   for (std::size_t k = 0; k < runs.size(); ++k) {
     const std::string which = fmt::format("run {} of {}: {}", k + 1, runs.size(), runs[k].label);
@@ -124,7 +150,7 @@ void run_study(const Study& study, const std::vector<StudyRun>& runs, const Stud
     log.info(which +
              time_left(results, static_cast<std::size_t>(std::count(to_do.begin(), to_do.end(), true))));
     const fs::path place = folder / "runs" / runs[k].slug;
-    const std::string message = make_run(runs[k], options, place);
+    const std::string message = make_run(runs[k], options, place, warnings);
     if (message.empty()) {
       results[k] = read_result(study, place);
     } else {

@@ -68,6 +68,8 @@ Sweep read_sweep(StrictTable table)
   if (sweep.label.empty() && key.empty())
     throw InputError(
         fmt::format("{}: sweep.label is missing: a sweep of several keys needs a name", sweep.place));
+  if (!sets)
+    check_key({.path = split_path({key}), .place = table.place("key"), .found = "", .values = {}});
   const char* which = sets ? "set" : "values";
   const toml::array* list = (sets ? sets : values)->as_array();
   if (!list || list->empty())
