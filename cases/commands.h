@@ -10,10 +10,10 @@ class App;
 namespace birdstrike {
 
 void add_run_command(CLI::App& program);
+void add_study_command(CLI::App& program);
 void add_bird_command(CLI::App& program);
 void add_histories_command(CLI::App& program);
 void add_render_command(CLI::App& program);
 void add_cases_command(CLI::App& program);
-void add_study_command(CLI::App& program);
 
 } // namespace birdstrike
