@@ -225,9 +225,20 @@ void check_tables(const Case& parsed, const std::string& file)
 
 Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides)
 {
-  std::vector<Entry> entries = read_entries(file);
+  std::vector<Entry> entries;
   for (const std::string& text : overrides)
-    apply_override(entries, parse_override(text));
+    entries.push_back(parse_override(text));
+  return read_case_with(file, entries);
+}
+
+Case read_case_with(const std::filesystem::path& file, const std::vector<Entry>& overrides)
+{
+  std::vector<Entry> entries = read_entries(file);
+  if (is_study(entries))
+    throw InputError(
+        fmt::format("{0}: this is a study, a set of runs: `birdstrike study {0}` runs it", file.string()));
+  for (const Entry& entry : overrides)
+    apply_override(entries, entry);
 
   Case parsed;
   parsed.file = file;

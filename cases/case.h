@@ -78,6 +78,11 @@ struct Case
 //!        one), missing key, missing, unknown or wrong unit, wrong kind of value, value out of range
 Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
+struct Entry;
+
+//! The same with overrides that know where they were written, for messages.
+Case read_case_with(const std::filesystem::path& file, const std::vector<Entry>& overrides);
+
 //! The case as TOML with every default filled in; read_case gives an equal case back.
 std::string to_toml(const Case& parsed);
 

@@ -3,10 +3,10 @@
 #include "cases/case_entries.h"
 
 #include "cases/keys.h"
+#include "cases/toml_entries.h"
 #include "core/error.h"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <sstream>
@@ -47,23 +47,6 @@ std::string to_text(const toml::node& node)
   return line;
 }
 
-Entry to_entry(const toml::node& node, std::vector<std::string> path, std::string place)
-{
-  Entry entry;
-  entry.path = std::move(path);
-  entry.place = std::move(place);
-  entry.found = to_text(node);
-  entry.is_table = node.is_table();
-  if (const auto* array = node.as_array()) {
-    entry.is_list = true;
-    for (const toml::node& element : *array)
-      entry.values.push_back(to_scalar(element));
-  } else if (!entry.is_table) {
-    entry.values.push_back(to_scalar(node));
-  }
-  return entry;
-}
-
 struct Found
 {
   toml::source_position position;
@@ -87,25 +70,45 @@ void flatten(const toml::table& table, const std::vector<std::string>& path, con
 
 } // namespace
 
+Entry to_entry(const toml::node& node, std::vector<std::string> path, std::string place)
+{
+  Entry entry;
+  entry.path = std::move(path);
+  entry.place = std::move(place);
+  entry.found = to_text(node);
+  entry.is_table = node.is_table();
+  if (const auto* array = node.as_array()) {
+    entry.is_list = true;
+    for (const toml::node& element : *array)
+      entry.values.push_back(to_scalar(element));
+  } else if (!entry.is_table) {
+    entry.values.push_back(to_scalar(node));
+  }
+  return entry;
+}
+
 std::string join(const std::vector<std::string>& path) { return fmt::format("{}", fmt::join(path, ".")); }
 
-std::vector<Entry> read_entries(const std::filesystem::path& file)
+toml::table parse_toml(const std::filesystem::path& file, const std::string& kind)
 {
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored))
     throw InputError(
-        fmt::format("{}: no such case file; `birdstrike cases` lists the catalogue", file.string()));
+        fmt::format("{}: no such {} file; `birdstrike cases` lists the catalogue", file.string(), kind));
   if (std::filesystem::is_directory(file, ignored))
-    throw InputError(fmt::format("{}: this is a folder; a case file (.toml) is needed", file.string()));
-  toml::table document;
+    throw InputError(fmt::format("{}: this is a folder; a {} file (.toml) is needed", file.string(), kind));
   try {
-    document = toml::parse_file(file.string());
+    return toml::parse_file(file.string());
   } catch (const toml::parse_error& error) {
     throw InputError(
         fmt::format("{}:{}: not TOML: {}", file.string(), error.source().begin.line, error.description()));
   }
+}
+
+std::vector<Entry> entries_of(const toml::table& table, const std::string& file)
+{
   std::vector<Found> found;
-  flatten(document, {}, file.string(), found);
+  flatten(table, {}, file, found);
   // toml++ sorts by name; the order of the file is the one that people mean.
   std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
     return std::pair(a.position.line, a.position.column) < std::pair(b.position.line, b.position.column);
@@ -114,6 +117,17 @@ std::vector<Entry> read_entries(const std::filesystem::path& file)
   for (Found& one : found)
     entries.push_back(std::move(one.entry));
   return entries;
+}
+
+std::vector<Entry> read_entries(const std::filesystem::path& file)
+{
+  return entries_of(parse_toml(file, "case"), file.string());
+}
+
+bool is_study(const std::vector<Entry>& entries)
+{
+  return std::any_of(entries.begin(), entries.end(),
+                     [](const Entry& entry) { return entry.path[0] == "sweep" || entry.path[0] == "base"; });
 }
 
 Entry parse_override(const std::string& text)

@@ -32,6 +32,9 @@ std::vector<Entry> read_entries(const std::filesystem::path& file);
 //! is taken as text. \throw InputError if there is no '=' or no key
 Entry parse_override(const std::string& text);
 
+//! Whether a file with these entries is a study (study.h) rather than a case.
+bool is_study(const std::vector<Entry>& entries);
+
 //! Overrides replace entries of the same path, others are added.
 void apply_override(std::vector<Entry>& entries, Entry override_entry);
 

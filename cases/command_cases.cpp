@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <utility>
 
 namespace birdstrike {
 
@@ -22,8 +23,8 @@ void add_cases_command(CLI::App& program)
     bool keys = false;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand("cases", "List the catalogue of cases");
-  CLI::Option* show = command->add_option("--show", options->show, "Print the case of that name");
+  CLI::App* command = program.add_subcommand("cases", "List the catalogue of cases and studies");
+  CLI::Option* show = command->add_option("--show", options->show, "Print the case or study of that name");
   command->add_flag("--keys", options->keys, "List every key of a case file: kind, range, default, meaning")
       ->excludes(show);
   command->callback([options] {
@@ -36,8 +37,15 @@ void add_cases_command(CLI::App& program)
       const std::vector<CatalogueEntry> entries = catalogue();
       require(!entries.empty(),
               "the catalogue is not found; set BIRDSTRIKE_SHARE to the project's share folder");
-      for (const CatalogueEntry& entry : entries)
-        std::cout << fmt::format("{:<28} {}\n{:<28} {}\n", entry.name, entry.title, "", entry.file.string());
+      for (const bool study : {false, true}) {
+        const char* title =
+            study ? "\nStudies, for birdstrike study NAME:\n" : "Cases, for birdstrike run NAME:\n";
+        for (const CatalogueEntry& entry : entries)
+          if (entry.study == study)
+            std::cout << std::exchange(title, "")
+                      << fmt::format("{:<38} {}\n{:<38} {}\n", entry.name, entry.title, "",
+                                     entry.file.string());
+      }
     }
   });
 }

@@ -10,6 +10,7 @@ class App;
 namespace birdstrike {
 
 void add_run_command(CLI::App& program);
+void add_study_command(CLI::App& program);
 void add_bird_command(CLI::App& program);
 void add_histories_command(CLI::App& program);
 void add_render_command(CLI::App& program);

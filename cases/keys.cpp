@@ -2,6 +2,7 @@
 // The table of keys, and what is looked up in it.
 #include "cases/keys.h"
 
+#include "cases/edit_distance.h"
 #include "core/material/porous_bird.h"
 
 #include <fmt/format.h>
@@ -170,24 +171,6 @@ std::vector<std::string> split(std::string_view path)
     from = to + 1;
   }
   return segments;
-}
-
-//! Levenshtein's distance.
-std::size_t edit_distance(std::string_view a, std::string_view b)
-{
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j)
-    row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t above_left = diagonal;
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, above_left + (a[i - 1] != b[j - 1])});
-    }
-  }
-  return row[b.size()];
 }
 
 template <class... F>

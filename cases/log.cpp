@@ -43,7 +43,10 @@ void Log::info(const std::string& line)
 
 void Log::warn(const std::string& line)
 {
-  sinks_->errors.warn("birdstrike: warning: {}", line);
+  if (warnings_)
+    warnings_(line);
+  else
+    sinks_->errors.warn("birdstrike: warning: {}", line);
   keep(spdlog::level::warn, line);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,6 +26,9 @@ public:
   //! \throw OutputError if it cannot be written
   void open(const std::filesystem::path& file);
 
+  //! Warnings go there instead of to the screen; to the file as ever.
+  void divert_warnings(std::function<void(const std::string&)> where) { warnings_ = std::move(where); }
+
   bool quiet() const { return quiet_; }
 
 private:
@@ -32,6 +36,7 @@ private:
   void keep(int level, const std::string& line);
 
   bool quiet_;
+  std::function<void(const std::string&)> warnings_;
   std::vector<std::pair<int, std::string>> backlog_; //!< said before open()
   std::unique_ptr<Sinks> sinks_;
 };

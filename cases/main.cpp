@@ -22,6 +22,7 @@ int main(int argc, char** argv)
   program.require_subcommand(1);
   program.footer("Exit status: 0 success, 1 the run failed, 2 the input is wrong.");
   add_run_command(program);
+  add_study_command(program);
   add_bird_command(program);
   add_histories_command(program);
   add_render_command(program);

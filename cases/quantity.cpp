@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <udunits2.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <charconv>
@@ -155,6 +156,53 @@ std::string format_quantity(double value, Dimension dimension, std::string_view 
     }
   }
   return fmt::format("{} {}", value, si_unit(dimension));
+}
+
+namespace {
+
+Unit known_unit(std::string_view unit)
+{
+  const std::string text(trimmed(unit));
+  Unit parsed = text.empty() || (text != "1" && holds_a_factor(text)) ? nullptr : parse_unit(text);
+  require(parsed != nullptr, fmt::format("\"{}\" is not a unit", unit));
+  return parsed;
+}
+
+//! The SI unit that \p unit is a multiple of, "kg.m-1.s-2" for MPa.
+Unit coherent_unit(const ut_unit& unit, std::string_view name)
+{
+  std::array<char, 256> buffer{};
+  const int length = ut_format(&unit, buffer.data(), buffer.size(), UT_ASCII | UT_DEFINITION);
+  std::string_view text(buffer.data(), std::clamp(length, 0, static_cast<int>(buffer.size()) - 1));
+  require(length > 0 && text.find('@') == std::string_view::npos,
+          fmt::format("\"{}\" cannot be used here: its zero is not the zero of its SI unit", name));
+  double factor = 1;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), factor);
+  if (error == std::errc())
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  text = trimmed(text);
+  return parse_unit(text.empty() ? "1" : std::string(text));
+}
+
+double converted(double value, std::string_view unit, bool to_coherent)
+{
+  const Unit named = known_unit(unit), coherent = coherent_unit(*named, unit);
+  const Converter converter(coherent ? ut_get_converter(to_coherent ? named.get() : coherent.get(),
+                                                        to_coherent ? coherent.get() : named.get())
+                                     : nullptr);
+  require(converter != nullptr, fmt::format("\"{}\" cannot be converted from SI units", unit));
+  return convert(*converter, value);
+}
+
+} // namespace
+
+double from_si(double value, std::string_view unit) { return converted(value, unit, false); }
+double to_si(double value, std::string_view unit) { return converted(value, unit, true); }
+
+bool same_kind(std::string_view unit, std::string_view other)
+{
+  const Unit first = known_unit(unit), second = known_unit(other);
+  return ut_are_convertible(first.get(), second.get());
 }
 
 } // namespace birdstrike

@@ -33,4 +33,13 @@ double parse_quantity(std::string_view text, Dimension dimension);
 //! Shortest text that parse_quantity reads back to the same bits: in \p unit if that is possible, else in SI.
 std::string format_quantity(double value, Dimension dimension, std::string_view unit);
 
+//! A number in coherent SI units (kg, m, s, rad and what is made of them) in another unit, and back: 6.24e7 in
+//! "MPa" is 62.4. "1" and "%" are units of pure numbers.
+//! \throw InputError if that is not a unit, or one whose zero is shifted (degrees Celsius)
+double from_si(double value, std::string_view unit);
+double to_si(double value, std::string_view unit);
+
+//! Whether one can be converted to the other, "MPa" to "psi". \throw InputError if one is not a unit
+bool same_kind(std::string_view unit, std::string_view other);
+
 } // namespace birdstrike

@@ -4,6 +4,7 @@
 
 #include "cases/case.h"
 #include "cases/case_entries.h"
+#include "cases/study.h"
 #include "core/error.h"
 
 #include <fmt/format.h>
@@ -53,7 +54,9 @@ std::vector<CatalogueEntry> catalogue()
     CatalogueEntry entry{(item.path().lexically_relative(folder)).replace_extension().string(), "",
                          item.path()};
     try {
-      for (const Entry& key : read_entries(item.path()))
+      const std::vector<Entry> keys = read_entries(item.path());
+      entry.study = is_study(keys);
+      for (const Entry& key : keys)
         if (key.path.size() == 1 && key.path[0] == "title" &&
             std::holds_alternative<std::string>(key.values.at(0)))
           entry.title = std::get<std::string>(key.values[0]);
@@ -66,7 +69,8 @@ std::vector<CatalogueEntry> catalogue()
   return entries;
 }
 
-fs::path find_case(const std::string& path_or_name)
+//! \param study  which kind is listed when there is none of that name
+static fs::path find_in_catalogue(const std::string& path_or_name, bool study)
 {
   std::error_code ignored;
   if (fs::exists(path_or_name, ignored))
@@ -75,12 +79,16 @@ fs::path find_case(const std::string& path_or_name)
   for (const CatalogueEntry& entry : catalogue()) {
     if (entry.name == path_or_name)
       return entry.file;
-    names.push_back(entry.name);
+    if (entry.study == study)
+      names.push_back(entry.name);
   }
-  throw InputError(
-      fmt::format("{}: no such case file, nor a name of the catalogue ({})", path_or_name,
-                  names.empty() ? "which was not found" : fmt::format("{}", fmt::join(names, ", "))));
+  throw InputError(fmt::format(
+      "{}: no such {} file, nor a name of the catalogue ({})", path_or_name, study ? "study" : "case",
+      names.empty() ? "which was not found" : fmt::format("{}", fmt::join(names, ", "))));
 }
+
+fs::path find_case(const std::string& path_or_name) { return find_in_catalogue(path_or_name, false); }
+fs::path find_study(const std::string& path_or_name) { return find_in_catalogue(path_or_name, true); }
 
 fs::path find_mesh(const Case& parsed)
 {

@@ -21,9 +21,10 @@ struct CatalogueEntry
   std::string name;  //!< path below the catalogue without .toml, for example "goose-on-rigid-plate"
   std::string title; //!< its first line of text; empty if the file cannot be read
   std::filesystem::path file;
+  bool study = false; //!< a study of many runs (study.h)
 };
 
-//! All cases of the catalogue, by name.
+//! All cases and studies of the catalogue, by name.
 std::vector<CatalogueEntry> catalogue();
 
 //! A path to a case file as it is, or else a name of the catalogue.

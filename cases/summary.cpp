@@ -99,6 +99,7 @@ std::string summary_json(const Simulation& run, const RunFacts& facts)
   const Vector3 lost = ledger.initial_momentum - ledger.momentum;
 
   nlohmann::ordered_json json;
+  json["version"] = BIRDSTRIKE_VERSION; // of the program
   json["particles"] = run.particles().size();
   json["steps"] = run.steps();
   json["wall_seconds"] = facts.wall_seconds;

@@ -17,6 +17,7 @@
 #include <vtkDoubleArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkPen.h>
 #include <vtkPlotPoints.h>
 #include <vtkRenderWindow.h>
@@ -65,12 +66,77 @@ vtkSmartPointer<vtkDoubleArray> column(const char* name, const std::vector<doubl
   return array;
 }
 
+//! VTK's markers are full: the inside is painted over once more.
+class OpenPoints : public vtkPlotPoints
+{
+public:
+  static OpenPoints* New();
+  vtkTypeMacro(OpenPoints, vtkPlotPoints);
+
+  bool Paint(vtkContext2D* painter) override
+  {
+    return twice([&] { return Superclass::Paint(painter); });
+  }
+  bool PaintLegend(vtkContext2D* painter, const vtkRectf& place, int index) override
+  {
+    return twice([&] { return Superclass::PaintLegend(painter, place, index); });
+  }
+
+private:
+  template <class Draw>
+  bool twice(Draw draw)
+  {
+    const bool drawn = draw();
+    std::array<unsigned char, 4> colour{};
+    GetPen()->GetColor(colour.data());
+    const float size = GetMarkerSize();
+    GetPen()->SetColor(255, 255, 255, 255);
+    SetMarkerSize(0.55f * size);
+    const bool again = draw();
+    SetMarkerSize(size);
+    GetPen()->SetColor(colour.data());
+    return drawn && again;
+  }
+};
+vtkStandardNewMacro(OpenPoints);
+
+int vtk_marker(Marker marker)
+{
+  switch (marker) {
+  case Marker::none:
+    return vtkPlotPoints::NONE;
+  case Marker::square:
+    return vtkPlotPoints::SQUARE;
+  case Marker::diamond:
+    return vtkPlotPoints::DIAMOND;
+  case Marker::cross:
+    return vtkPlotPoints::CROSS;
+  case Marker::plus:
+    return vtkPlotPoints::PLUS;
+  case Marker::circle:
+  case Marker::open_circle:
+    break;
+  }
+  return vtkPlotPoints::CIRCLE;
+}
+
+vtkPlot* add_plot(vtkChartXY& chart, const PlotSeries& series)
+{
+  if (series.style != LineStyle::points)
+    return chart.AddPlot(vtkChart::LINE);
+  if (series.marker != Marker::open_circle)
+    return chart.AddPlot(vtkChart::POINTS);
+  vtkNew<OpenPoints> points;
+  chart.AddPlot(points);
+  return points; // the chart keeps it
+}
+
 void add_series(vtkChartXY& chart, const PlotSeries& series, std::size_t number)
 {
   vtkNew<vtkTable> table;
   table->AddColumn(column("x", series.x));
   table->AddColumn(column("y", series.y));
-  vtkPlot* line = chart.AddPlot(series.style == LineStyle::points ? vtkChart::POINTS : vtkChart::LINE);
+  vtkPlot* line = add_plot(chart, series);
   line->SetInputData(table, 0, 1);
   line->SetLabel(series.name);
   line->SetLegendVisibility(!series.name.empty());
@@ -83,8 +149,9 @@ void add_series(vtkChartXY& chart, const PlotSeries& series, std::size_t number)
     line->GetPen()->SetLineType(vtkPen::DASH_LINE);
   else if (series.style == LineStyle::dotted)
     line->GetPen()->SetLineType(vtkPen::DOT_LINE);
-  else if (auto* points = vtkPlotPoints::SafeDownCast(line); points && series.style == LineStyle::points) {
-    points->SetMarkerStyle(vtkPlotPoints::CIRCLE);
+  const bool marked = series.style == LineStyle::points || series.marker != Marker::none;
+  if (auto* points = vtkPlotPoints::SafeDownCast(line); points && marked) {
+    points->SetMarkerStyle(vtk_marker(series.marker == Marker::none ? Marker::circle : series.marker));
     points->SetMarkerSize(static_cast<float>(4 * series.line_width));
   }
 }
@@ -110,7 +177,27 @@ std::array<double, 2> range_of(const Plot& plot, std::vector<double> PlotSeries:
   return {low - air * (high - low), high + air * (high - low)};
 }
 
-void set_axis(vtkAxis& axis, const std::string& title, const std::array<double, 2>& range, int font)
+//! The plot with the logarithms of what stands on logarithmic axes; what has none becomes a gap.
+Plot with_logarithms(Plot plot)
+{
+  const auto logarithm = [](double value) { return value > 0 ? std::log10(value) : std::nan(""); };
+  for (PlotSeries& series : plot.series) {
+    for (double& x : series.x)
+      x = plot.x_log ? logarithm(x) : x;
+    for (double& y : series.y)
+      y = plot.y_log ? logarithm(y) : y;
+  }
+  for (const auto& [is_log, range] :
+       {std::pair(plot.x_log, &plot.x_range), std::pair(plot.y_log, &plot.y_range)})
+    if (is_log && *range) {
+      require((**range)[0] > 0, "plot \"" + plot.title + "\": a logarithmic axis begins above 0");
+      *range = {logarithm((**range)[0]), logarithm((**range)[1])};
+    }
+  return plot;
+}
+
+void set_axis(vtkAxis& axis, const std::string& title, const std::array<double, 2>& range, int font,
+              bool is_log)
 {
   axis.SetTitle(title);
   set_text_style(*axis.GetTitleProperties(), font);
@@ -121,17 +208,26 @@ void set_axis(vtkAxis& axis, const std::string& title, const std::array<double, 
 
   vtkNew<vtkDoubleArray> positions;
   vtkNew<vtkStringArray> labels;
-  for (const double tick : ticks_between(range[0], range[1])) {
-    positions->InsertNextValue(tick);
-    labels->InsertNextValue(fmt::format("{:.6g}", tick));
+  if (is_log) {
+    for (const double tick : log_ticks_between(std::pow(10, range[0]), std::pow(10, range[1]))) {
+      positions->InsertNextValue(std::log10(tick));
+      labels->InsertNextValue(fmt::format("{:.6g}", tick));
+    }
+  } else {
+    for (const double tick : ticks_between(range[0], range[1])) {
+      positions->InsertNextValue(tick);
+      labels->InsertNextValue(fmt::format("{:.6g}", tick));
+    }
   }
   axis.SetCustomTickPositions(positions, labels);
 }
 
 } // namespace
 
-void write_plot(const Plot& plot, const std::filesystem::path& png)
+void write_plot(const Plot& linear, const std::filesystem::path& png)
 {
+  check(linear);
+  const Plot plot = with_logarithms(linear);
   check(plot);
   const int font = std::max(10, plot.height / 32);
   vtkNew<vtkChartXY> chart;
@@ -140,9 +236,9 @@ void write_plot(const Plot& plot, const std::filesystem::path& png)
   for (std::size_t k = 0; k < plot.series.size(); ++k)
     add_series(*chart, plot.series[k], k);
   set_axis(*chart->GetAxis(vtkAxis::BOTTOM), plot.x_label,
-           plot.x_range.value_or(range_of(plot, &PlotSeries::x, 0)), font);
+           plot.x_range.value_or(range_of(plot, &PlotSeries::x, 0)), font, plot.x_log);
   set_axis(*chart->GetAxis(vtkAxis::LEFT), plot.y_label,
-           plot.y_range.value_or(range_of(plot, &PlotSeries::y, 0.04)), font);
+           plot.y_range.value_or(range_of(plot, &PlotSeries::y, 0.04)), font, plot.y_log);
 
   chart->SetShowLegend(true);
   vtkChartLegend& legend = *chart->GetLegend();

@@ -18,6 +18,18 @@ enum class LineStyle
   points //!< markers without a line, for measured or published values
 };
 
+//! Drawn on the values of a series, beside its line; LineStyle::points has circles unless told otherwise.
+enum class Marker
+{
+  none,
+  circle,
+  square,
+  diamond,
+  cross,
+  plus,
+  open_circle //!< for published values
+};
+
 struct PlotSeries
 {
   std::string name;         //!< in the legend; empty: not listed there
@@ -25,6 +37,7 @@ struct PlotSeries
   std::string colour; //!< "#rrggbb"; empty: the next of a palette that colour-blind people can tell apart
   LineStyle style = LineStyle::solid;
   double line_width = 2.5; //!< [pixel]
+  Marker marker = Marker::none;
 };
 
 struct Plot
@@ -34,6 +47,7 @@ struct Plot
   std::vector<PlotSeries> series;
   std::optional<std::array<double, 2>> x_range, y_range; //!< otherwise those of the data
   int width = 1280, height = 720;                        //!< [pixel]
+  bool x_log = false, y_log = false;                     //!< values that are not positive are left out
 };
 
 //! \throw InputError if x and y differ in length, a colour cannot be read or there is nothing to plot;

@@ -18,4 +18,24 @@ std::vector<double> ticks_between(double low, double high)
   return ticks;
 }
 
+std::vector<double> log_ticks_between(double low, double high)
+{
+  const double tolerance = 1e-9;
+  std::vector<double> powers, all;
+  const int first = static_cast<int>(std::floor(std::log10(low)));
+  const int last = static_cast<int>(std::ceil(std::log10(high)));
+  for (int power = first; power <= last; ++power)
+    for (const int digit : {1, 2, 5}) {
+      const double tick = digit * std::pow(10.0, power);
+      if (tick < low * (1 - tolerance) || tick > high * (1 + tolerance))
+        continue;
+      all.push_back(tick);
+      if (digit == 1)
+        powers.push_back(tick);
+    }
+  if (all.size() < 3)
+    return ticks_between(low, high);
+  return all.size() > 10 ? powers : all;
+}
+
 } // namespace birdstrike

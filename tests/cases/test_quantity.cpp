@@ -66,3 +66,22 @@ TEST_CASE("formatted quantities read back to the same bits", "[cases][units]")
     for (const char* unit : {"mm", "m", "in"})
       CHECK(parse_quantity(format_quantity(value, Dimension::length, unit), Dimension::length) == value);
 }
+
+TEST_CASE("SI numbers in other units and back", "[cases][quantity]")
+{
+  CHECK(from_si(62.4e6, "MPa") == 62.4);
+  CHECK(from_si(0.018, "mm") == 18);
+  CHECK(to_si(36, "km/hour") == Approx(10).epsilon(1e-14));
+  CHECK(from_si(500, "kN s") == 0.5);
+  CHECK(from_si(3.14159265358979323846, "deg") == Approx(180).epsilon(1e-14));
+  CHECK(from_si(0.25, "%") == Approx(25).epsilon(1e-14));
+  CHECK(from_si(0.25, "1") == 0.25);
+  CHECK(to_si(from_si(123.456, "psi"), "psi") == Approx(123.456).epsilon(1e-14));
+  CHECK(from_si(6894.757293168, "psi") == Approx(1).epsilon(1e-9));
+  CHECK(same_kind("MPa", "psi"));
+  CHECK_FALSE(same_kind("MPa", "kg"));
+  for (const char* unit : {"", "frob", "celsius", "6 mm", "2"}) {
+    INFO(unit);
+    CHECK_THROWS_AS(from_si(1, unit), birdstrike::InputError);
+  }
+}

@@ -99,3 +99,46 @@ TEST_CASE("ticks are round numbers inside the range", "[ticks]")
       CHECK(ticks.back() <= (low + 1) * scale * (1 + 1e-9));
     }
 }
+
+TEST_CASE("ticks of logarithmic axes are few and round", "[plot]")
+{
+  CHECK(log_ticks_between(0.9, 11) == std::vector<double>{1, 2, 5, 10});
+  CHECK(log_ticks_between(1, 1e6) == std::vector<double>{1, 10, 100, 1000, 1e4, 1e5, 1e6});
+  CHECK(log_ticks_between(110, 190) == ticks_between(110, 190));
+}
+
+TEST_CASE("on logarithmic axes powers are straight, and what is not positive is a gap", "[plot]")
+{
+  TemporaryFolder folder;
+  Plot plot = made_plot();
+  // y = x^2 at its ends and in the middle of the logarithms: the marks lie on the line between the ends.
+  plot.series = {{"line", {1, 100}, {1, 1e4}, "#ff0000", LineStyle::solid, 3},
+                 {"marks", {-5, 10, 0}, {1, 100, 5}, "#0000ff", LineStyle::points, 3}};
+  plot.series[1].marker = Marker::open_circle;
+  plot.x_log = plot.y_log = true;
+  const auto read = [&](const char* name) {
+    write_plot(plot, folder.path / name);
+    auto reader = vtkSmartPointer<vtkPNGReader>::New();
+    reader->SetFileName((folder.path / name).string().c_str());
+    reader->Update();
+    return reader;
+  };
+  const auto open = read("open.png");
+  vtkImageData& image = *open->GetOutput();
+  const int ring = count(image, 0.1, 0.8, 0.1, 0.95, 0, 0, 255);
+  CHECK(ring > 10);
+  CHECK(ring == count(image, 0.4, 0.55, 0.4, 0.6, 0, 0, 255)); // one mark, in the middle
+  plot.series[1].marker = Marker::circle;
+  const auto full = read("full.png");
+  CHECK(count(*full->GetOutput(), 0.1, 0.8, 0.1, 0.95, 0, 0, 255) > 1.3 * ring);
+  // The line hides behind the full mark, so it goes through it.
+  CHECK(count(*full->GetOutput(), 0.4, 0.55, 0.4, 0.6, 255, 0, 0) > 50);
+
+  plot.series = {{"none", {-1, 0}, {1, 2}, "", LineStyle::solid, 3}};
+  CHECK_THROWS_WITH(write_plot(plot, folder.path / "none.png"), Contains("no series has a value"));
+  plot = made_plot();
+  plot.x_log = true;
+  plot.x_range = {0.0, 1.0};
+  CHECK_THROWS_WITH(write_plot(plot, folder.path / "none.png"),
+                    Contains("a logarithmic axis begins above 0"));
+}

@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Study files: from TOML tables to a Study.
+#include "cases/edit_distance.h"
+#include "cases/keys.h"
+#include "cases/share_folder.h"
+#include "cases/strict_table.h"
+#include "cases/study.h"
+#include "cases/study_reference.h"
+#include "core/error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+
+namespace fs = std::filesystem;
+
+namespace birdstrike {
+namespace {
+
+//! {"bird", "velocity"} of {"bird.velocity"}: dots within quotes part keys, too.
+std::vector<std::string> split_path(const std::vector<std::string>& path)
+{
+  std::vector<std::string> segments;
+  for (const std::string& part : path) {
+    std::stringstream stream(part);
+    for (std::string segment; std::getline(stream, segment, '.');)
+      segments.push_back(segment);
+  }
+  return segments;
+}
+
+//! A key that a study sets has to be one of a case.
+void check_key(const Entry& entry)
+{
+  if (find_key(entry.path))
+    return;
+  const std::string nearest = nearest_key(entry.path);
+  throw InputError(fmt::format("{}: unknown key {}; {}", entry.place, join(entry.path),
+                               nearest.empty() ? "`birdstrike cases --keys` lists the known ones"
+                                               : "did you mean " + nearest + "?"));
+}
+
+//! The keys of a case in a table, as overrides.
+std::vector<Entry> changes_of(const toml::table& table, const std::string& file)
+{
+  std::vector<Entry> changes = entries_of(table, file);
+  for (Entry& change : changes)
+    change.path = split_path(change.path);
+  return changes;
+}
+
+Sweep read_sweep(StrictTable table)
+{
+  Sweep sweep;
+  sweep.place = table.place();
+  sweep.label = table.text("label");
+  const std::string key = table.text("key");
+  const toml::node* values = table.find("values");
+  const toml::node* sets = table.find("set");
+  table.finish();
+  if (key.empty() == !sets || key.empty() == (values != nullptr))
+    throw InputError(
+        fmt::format("{}: a sweep has either a key and its values, or a list of tables named set with the "
+                    "keys that change together",
+                    sweep.place));
+  if (sweep.label.empty() && key.empty())
+    throw InputError(
+        fmt::format("{}: sweep.label is missing: a sweep of several keys needs a name", sweep.place));
+  if (!sets)
+    check_key({.path = split_path({key}), .place = table.place("key"), .found = "", .values = {}});
+  const char* which = sets ? "set" : "values";
+  const toml::array* list = (sets ? sets : values)->as_array();
+  if (!list || list->empty())
+    table.fail(which, "a list with at least one value is needed");
+  if (sweep.label.empty())
+    sweep.label = key.substr(key.rfind('.') + 1);
+  for (const toml::node& node : *list) {
+    const std::string place = fmt::format("{}:{}", table.file(), node.source().begin.line);
+    SweepValue value;
+    if (!sets) {
+      value.changes.push_back(to_entry(node, split_path({key}), place));
+      value.label = value_label(value.changes.front(), sweep.label);
+    } else {
+      const toml::table* row = node.as_table();
+      if (!row)
+        table.fail(which,
+                   "tables are needed, for example { label = \"fast\", \"bird.velocity\" = \"200 m/s\" }");
+      toml::table keys = *row;
+      if (const toml::node* label = row->get("label")) {
+        require(label->is_string(), fmt::format("{}: sweep.set.label: a text in quotes is needed", place));
+        value.label = label->as_string()->get();
+        keys.erase("label");
+      }
+      value.changes = changes_of(keys, table.file());
+      require(!value.changes.empty(), fmt::format("{}: sweep.set: this value changes no key", place));
+      if (value.label.empty())
+        value.label = value_label(value.changes.front(), join(value.changes.front().path));
+    }
+    for (const Entry& change : value.changes) {
+      check_key(change);
+      swept_number(change);
+    }
+    for (const SweepValue& other : sweep.values)
+      require(other.label != value.label,
+              fmt::format("{}: the sweep \"{}\" has \"{}\" twice", place, sweep.label, value.label));
+    sweep.values.push_back(std::move(value));
+  }
+  return sweep;
+}
+
+std::vector<Collected> read_collect(StrictTable& study)
+{
+  std::vector<Collected> result;
+  const toml::node* node = study.find("collect");
+  const toml::array* list = node ? node->as_array() : nullptr;
+  require(list && !list->empty(),
+          fmt::format("{}: collect is missing: a list of numbers of summary.json is needed, for example "
+                      "collect = [\"theory.hugoniot_pressure\"]",
+                      study.place("collect")));
+  for (const toml::node& element : *list) {
+    const int line = static_cast<int>(element.source().begin.line);
+    const std::string place = fmt::format("{}:{}", study.file(), line);
+    Collected one;
+    if (const auto* path = element.as_string()) {
+      one.path = path->get();
+    } else {
+      require(
+          element.is_table(),
+          fmt::format("{}: collect: a text, or {{ path = ..., name = ..., unit = ... }} is needed", place));
+      StrictTable table(*element.as_table(), study.file(), "collect", line);
+      one.path = table.needed("path", "a number of summary.json, for example \"theory.hugoniot_pressure\"");
+      one.name = table.text("name");
+      one.unit = table.text("unit");
+      table.finish();
+      try {
+        if (!one.unit.empty())
+          from_si(1, one.unit);
+      } catch (const InputError& error) {
+        table.fail("unit", error.what());
+      }
+    }
+    if (one.name.empty())
+      one.name = one.path;
+    require(!one.path.empty(), fmt::format("{}: collect: an empty path", place));
+    for (const Collected& other : result)
+      require(other.name != one.name, fmt::format("{}: collect has the name \"{}\" twice", place, one.name));
+    result.push_back(std::move(one));
+  }
+  return result;
+}
+
+//! Row of a name in a list, or an error that says what there is.
+std::size_t row_of(const std::string& name, const std::vector<std::string>& names, const StrictTable& table,
+                   const std::string& key, const std::string& kind)
+{
+  if (const auto found = std::find(names.begin(), names.end(), name); found != names.end())
+    return static_cast<std::size_t>(found - names.begin());
+  throw InputError(fmt::format("{}: plot.{}: \"{}\" is not {}; there are {}", table.place(key), key, name,
+                               kind, fmt::join(names, ", ")));
+}
+
+std::vector<std::size_t> collected_rows(StrictTable& table, const std::string& key, const Study& study,
+                                        std::optional<std::string>& unit)
+{
+  std::vector<std::string> names;
+  for (const Collected& one : study.collect)
+    names.push_back(one.name);
+  std::vector<std::size_t> rows;
+  for (const std::string& name : table.texts(key)) {
+    rows.push_back(row_of(name, names, table, key, "collected"));
+    const std::string& its = study.collect[rows.back()].unit;
+    if (unit && *unit != its)
+      throw InputError(
+          fmt::format("{}: plot.{}: \"{}\" is in {}, what else is plotted in {}; give both the same "
+                      "unit under collect",
+                      table.place(key), key, name, its.empty() ? "SI" : its, unit->empty() ? "SI" : *unit));
+    unit = its;
+  }
+  return rows;
+}
+
+//! The sweep that changes \p key in each of its values, to a number.
+std::size_t sweep_of(const std::string& key, const Study& study, const StrictTable& table)
+{
+  for (std::size_t row = 0; row < study.sweeps.size(); ++row) {
+    std::size_t numbers = 0;
+    for (const SweepValue& value : study.sweeps[row].values)
+      for (const Entry& change : value.changes)
+        numbers += join(change.path) == key && swept_number(change);
+    if (numbers == study.sweeps[row].values.size())
+      return row;
+  }
+  throw InputError(
+      fmt::format("{}: plot.x = \"{}\": a key that a sweep changes, to a number in each of its values, is "
+                  "needed",
+                  table.place("x"), key));
+}
+
+StudyPlot read_plot(StrictTable table, const Study& study)
+{
+  StudyPlot plot;
+  plot.file = table.needed("file", "the name of the picture, for example \"peaks.png\",");
+  if (fs::path(plot.file).extension() != ".png" || plot.file.find('/') != std::string::npos)
+    table.fail("file", "a name that ends in .png is needed, without a folder");
+  plot.title = table.text("title");
+  plot.x = table.needed("x", "a swept key");
+  plot.x_unit = table.text("x_unit");
+  plot.x_title = table.text("x_title");
+  plot.y_title = table.text("y_title");
+  plot.x_log = table.flag("x_log");
+  plot.y_log = table.flag("y_log");
+  const std::string split = table.text("split_by");
+  const std::vector<std::string> references = table.texts("reference");
+  std::optional<std::string> unit;
+  plot.y = collected_rows(table, "y", study, unit);
+  plot.theory = collected_rows(table, "theory", study, unit);
+  table.finish();
+
+  if (plot.y.empty())
+    throw InputError(
+        fmt::format("{}: plot.y is missing: the name of a collected number is needed", table.place()));
+  plot.y_unit = *unit;
+  plot.x_sweep = sweep_of(plot.x, study, table);
+  const Key* key = find_key(split_path({plot.x}));
+  if (key->dimension == Dimension::number && !plot.x_unit.empty() && !same_kind(plot.x_unit, "1"))
+    table.fail("x_unit", fmt::format("{} is a number without unit", plot.x));
+  if (key->dimension != Dimension::number) {
+    if (plot.x_unit.empty())
+      throw InputError(fmt::format("{}: plot.x_unit is missing: a unit of {} to show {} in is needed",
+                                   table.place(), dimension_name(key->dimension), plot.x));
+    bool fits = false;
+    try {
+      fits = same_kind(plot.x_unit, si_unit(key->dimension));
+    } catch (const InputError& error) {
+      table.fail("x_unit", error.what());
+    }
+    if (!fits)
+      table.fail("x_unit", fmt::format("a unit of {} is needed", dimension_name(key->dimension)));
+  }
+  if (plot.title.empty())
+    plot.title = study.title;
+  if (plot.x_title.empty())
+    plot.x_title = study.sweeps[*plot.x_sweep].label;
+  if (plot.y_title.empty() && plot.y.size() > 1)
+    throw InputError(fmt::format(
+        "{}: plot.y_title is missing: it is needed where several numbers are plotted", table.place()));
+  if (plot.y_title.empty())
+    plot.y_title = study.collect[plot.y.front()].name;
+  if (!split.empty()) {
+    std::vector<std::string> labels;
+    for (const Sweep& sweep : study.sweeps)
+      labels.push_back(sweep.label);
+    plot.split_by = row_of(split, labels, table, "split_by", "the label of a sweep");
+    if (plot.split_by == plot.x_sweep)
+      table.fail("split_by", "this sweep is along x already");
+  }
+  for (const std::string& name : references)
+    try {
+      plot.references.push_back(read_reference(study.file, name, plot.x_unit, plot.y_unit));
+    } catch (const InputError& error) {
+      table.fail("reference", error.what());
+    }
+  return plot;
+}
+
+//! A key must not be set in two places.
+void check_overlap(const Study& study)
+{
+  std::map<std::string, std::string> owner;
+  for (const Entry& entry : study.set)
+    owner[join(entry.path)] = entry.place;
+  for (const Sweep& sweep : study.sweeps) {
+    std::map<std::string, std::string> own;
+    for (const SweepValue& value : sweep.values)
+      for (const Entry& change : value.changes)
+        own[join(change.path)] = change.place;
+    for (const auto& [key, place] : own) {
+      const auto [earlier, is_new] = owner.emplace(key, place);
+      require(is_new, fmt::format("{}: {} is changed at {} already; a key belongs to [set] or to one sweep",
+                                  place, key, earlier->second));
+    }
+  }
+}
+
+} // namespace
+
+std::optional<double> swept_number(const Entry& change)
+{
+  const Key* key = find_key(change.path);
+  if (!key || change.is_list || change.values.size() != 1)
+    return {};
+  const Scalar& value = change.values.front();
+  if (key->dimension == Dimension::number) {
+    if (const auto* whole = std::get_if<std::int64_t>(&value))
+      return static_cast<double>(*whole);
+    const auto* fraction = std::get_if<double>(&value);
+    return fraction ? std::optional(*fraction) : std::nullopt;
+  }
+  const auto* text = std::get_if<std::string>(&value);
+  try {
+    return parse_quantity(text ? *text : change.found, key->dimension);
+  } catch (const InputError& error) {
+    throw InputError(
+        fmt::format("{}: {} = {}: {}", change.place, join(change.path), change.found, error.what()));
+  }
+}
+
+std::string value_label(const Entry& change, const std::string& sweep_label)
+{
+  if (!change.is_list && change.values.size() == 1)
+    if (const auto* text = std::get_if<std::string>(&change.values.front()))
+      return *text;
+  return fmt::format("{} = {}", sweep_label, change.found);
+}
+
+Study read_study(const fs::path& file)
+{
+  const toml::table document = parse_toml(file, "study");
+  StrictTable table(document, file.string(), "", 0);
+  if (!document.contains("base") && !document.contains("sweep") && document.contains("bird"))
+    throw InputError(
+        fmt::format("{0}: this is a case, not a study: `birdstrike run {0}` runs it", file.string()));
+  Study study;
+  study.file = file;
+  study.title = table.needed("title", "what the study shows, in one line,");
+  study.source = table.text("source");
+  const std::string base = table.needed("base", "a case file, or a name of the catalogue,");
+  std::error_code ignored;
+  const fs::path beside = file.parent_path() / base;
+  try {
+    study.base = fs::is_regular_file(beside, ignored) ? beside : find_case(base);
+  } catch (const InputError& error) {
+    table.fail("base", error.what());
+  }
+  if (const toml::node* set = table.find("set")) {
+    if (!set->is_table())
+      table.fail("set", "a table of keys is needed, [set]");
+    if (!set->as_table()->empty())
+      study.set = changes_of(*set->as_table(), file.string());
+    for (const Entry& entry : study.set)
+      check_key(entry);
+  }
+  for (StrictTable& sweep : table.tables("sweep"))
+    study.sweeps.push_back(read_sweep(sweep));
+  for (std::size_t a = 0; a < study.sweeps.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      require(study.sweeps[a].label != study.sweeps[b].label,
+              fmt::format("{}: a second sweep with the label \"{}\"; give one of them another",
+                          study.sweeps[a].place, study.sweeps[a].label));
+  require(!study.sweeps.empty(),
+          fmt::format("{}: sweep is missing: a study varies something, in tables with the title [[sweep]]",
+                      file.string()));
+  check_overlap(study);
+  study.collect = read_collect(table);
+  std::vector<StrictTable> plots = table.tables("plot");
+  table.finish();
+  for (StrictTable& plot : plots) {
+    study.plots.push_back(read_plot(plot, study));
+    for (std::size_t k = 0; k + 1 < study.plots.size(); ++k)
+      require(study.plots[k].file != study.plots.back().file,
+              fmt::format("{}: a second plot with the file {}", plot.place("file"), study.plots.back().file));
+  }
+  return study;
+}
+
+} // namespace birdstrike
