@@ -3,8 +3,8 @@
 #include "cases/build_bird.h"
 
 #include "cases/log.h"
+#include "cases/quantity.h"
 #include "core/error.h"
-#include "core/material/porous_bird.h"
 #include "geometry/check.h"
 #include "geometry/fill.h"
 #include "geometry/import/read_mesh.h"
@@ -192,9 +192,12 @@ BuiltBird build_bird(const Case& parsed, const BirdMesh& mesh, Log& log)
   // One factor for all parts: mass = factor * sum of natural density * volume.
   const double cell = wish.spacing * wish.spacing * wish.spacing;
   double natural_mass = 0;
-  for (const FilledPart& part : fill.parts)
-    natural_mass +=
-        porous_density(part_case(cases, part.name).porosity) * static_cast<double>(part.particles) * cell;
+  std::vector<EquationOfState> laws;
+  for (const FilledPart& part : fill.parts) {
+    const PartCase& given = part_case(cases, part.name);
+    laws.push_back(natural_law(given.eos, given.porosity, parsed.laws, parsed.file.parent_path()));
+    natural_mass += reference_density(laws.back()) * static_cast<double>(part.particles) * cell;
+  }
   BuiltBird bird;
   bird.density_factor = wish.mass / natural_mass;
   if (bird.density_factor < 0.2 || bird.density_factor > 5)
@@ -206,9 +209,9 @@ BuiltBird build_bird(const Case& parsed, const BirdMesh& mesh, Log& log)
   std::vector<Part> parts;
   for (const FilledPart& part : fill.parts) {
     const PartCase& given = part_case(cases, part.name);
-    const double density = bird.density_factor * porous_density(given.porosity);
-    parts.push_back(
-        {part.name, make_porous_law(given.eos, given.porosity, density), given.porosity, part.mesh_volume});
+    const EquationOfState& law = laws[parts.size()];
+    parts.push_back({part.name, rescaled(law, bird.density_factor * reference_density(law)), given.porosity,
+                     part.mesh_volume});
   }
   std::vector<Seed> seeds = fill.seeds;
   rotate(seeds, {.yaw = wish.yaw, .pitch = wish.pitch, .roll = wish.roll});
@@ -231,6 +234,8 @@ BuiltBird build_bird(const Case& parsed, const BirdMesh& mesh, Log& log)
   report(bird, parsed, log);
   for (const Part& part : parts)
     log.file_only(fmt::format("{}: {}", part.name, describe(part.eos)));
+  log.file_only(fmt::format("tension is cut off at {}",
+                            format_quantity(parsed.run.tension_cutoff, Dimension::pressure, "MPa")));
   return bird;
 }
 

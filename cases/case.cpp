@@ -119,7 +119,7 @@ private:
       fail(kind_of(key_) + " is needed");
     if (key_.choices) {
       const std::vector<std::string> choices = key_.choices();
-      if (std::find(choices.begin(), choices.end(), result) == choices.end())
+      if (!key_.or_law && std::find(choices.begin(), choices.end(), result) == choices.end())
         fail(kind_of(key_) + " is needed");
     }
     return result;
@@ -154,6 +154,28 @@ std::size_t part_row(Case& parsed, const std::string& name)
   return parts.size() - 1;
 }
 
+//! The same for a law.
+std::size_t law_row(Case& parsed, const std::string& name, const std::string& place)
+{
+  auto& laws = parsed.laws;
+  for (std::size_t row = 0; row < laws.size(); ++row)
+    if (laws[row].name == name)
+      return row;
+  laws.emplace_back();
+  laws.back().name = name;
+  laws.back().place = place;
+  return laws.size() - 1;
+}
+
+//! Row that the '*' of a key stands for; 0 if it has none.
+std::size_t row_of(Case& parsed, const Key& key, const Entry& entry)
+{
+  if (key.path.find('*') == std::string_view::npos)
+    return 0;
+  return entry.path[0] == "eos" ? law_row(parsed, entry.path[1], entry.place)
+                                : part_row(parsed, entry.path[2]);
+}
+
 //! "[run]" with nothing below it: the keys that it lacks are complained about one by one.
 bool is_empty_section(const Entry& entry)
 {
@@ -165,6 +187,53 @@ bool is_empty_section(const Entry& entry)
 bool is_part_table(const Entry& entry)
 {
   return entry.is_table && entry.path.size() == 3 && entry.path[0] == "bird" && entry.path[1] == "parts";
+}
+
+bool is_law_table(const Entry& entry)
+{
+  return entry.is_table && entry.path.size() == 2 && entry.path[0] == "eos";
+}
+
+std::string place_of(const std::map<std::string, std::string>& places, const std::string& path,
+                     const std::string& file)
+{
+  const auto found = places.find(path);
+  return found == places.end() ? file : found->second;
+}
+
+//! Names of laws exist and are nobody else's, and every part has the porosity that its law needs.
+//! \param places  of the keys that were given
+void check_part_laws(const Case& parsed, const std::map<std::string, std::string>& places)
+{
+  const std::string file = parsed.file.string();
+  const Key& eos = *find_key({"bird", "parts", "*", "eos"});
+  const Key& porosity = *find_key({"bird", "parts", "*", "porosity"});
+  const std::vector<std::string> porous = eos.choices();
+  for (const LawCase& law : parsed.laws)
+    if (std::find(porous.begin(), porous.end(), law.name) != porous.end())
+      throw InputError(fmt::format("{}: eos.{}: this name is taken by a law of porous flesh; choose another",
+                                   law.place, law.name));
+  for (const PartCase& part : parsed.bird.parts) {
+    const std::string path = "bird.parts." + part.name;
+    if (std::any_of(parsed.laws.begin(), parsed.laws.end(),
+                    [&](const LawCase& law) { return law.name == part.eos; }))
+    {
+      if (part.porosity != 0)
+        throw InputError(fmt::format("{}: {}.porosity = {}: the law \"{}\" has none; leave the porosity out",
+                                     place_of(places, path + ".porosity", file), path, part.porosity,
+                                     part.eos));
+    } else if (std::find(porous.begin(), porous.end(), part.eos) == porous.end()) {
+      std::string own;
+      for (const LawCase& law : parsed.laws)
+        own += fmt::format(", \"{}\"", law.name);
+      throw InputError(fmt::format("{}: {}.eos = {}: {} is needed{}", place_of(places, path + ".eos", file),
+                                   path, toml_string(part.eos), kind_of(eos),
+                                   own.empty() ? "; the case has none" : "; the case has " + own.substr(2)));
+    } else if (!places.contains(path + ".porosity")) {
+      throw InputError(fmt::format("{}: {}.porosity is missing: {} is needed ({})", file, path,
+                                   kind_of(porosity), porosity.text));
+    }
+  }
 }
 
 //! Where the paths with '*' and those without are given, all required ones have to be.
@@ -182,8 +251,15 @@ void require_keys(Case& parsed, const std::set<std::string>& given, const std::s
       check(key, std::string(key.path));
       continue;
     }
-    for (const PartCase& part : parsed.bird.parts)
-      check(key, std::string(key.path.substr(0, star)) + part.name + std::string(key.path.substr(star + 1)));
+    const auto check_named = [&](const std::string& name) {
+      check(key, std::string(key.path.substr(0, star)) + name + std::string(key.path.substr(star + 1)));
+    };
+    if (key.path.starts_with("eos."))
+      for (const LawCase& law : parsed.laws)
+        check_named(law.name);
+    else
+      for (const PartCase& part : parsed.bird.parts)
+        check_named(part.name);
   }
 }
 
@@ -198,9 +274,14 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
   Case parsed;
   parsed.file = file;
   std::set<std::string> given;
+  std::map<std::string, std::string> places;
   for (const Entry& entry : entries) {
     if (is_part_table(entry)) {
       part_row(parsed, entry.path[2]);
+      continue;
+    }
+    if (is_law_table(entry)) {
+      law_row(parsed, entry.path[1], entry.place);
       continue;
     }
     if (is_empty_section(entry))
@@ -208,17 +289,18 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
     const Key* key = find_key(entry.path);
     if (!key)
       unknown_key(entry);
-    const std::size_t part =
-        key->path.find('*') == std::string_view::npos ? 0 : part_row(parsed, entry.path[2]);
+    const std::size_t row = row_of(parsed, *key, entry);
     if (entry.is_table)
       throw InputError(fmt::format("{}: {} is an empty table: {} is needed", entry.place, join(entry.path),
                                    kind_of(*key)));
-    std::visit(Assignment(entry, *key), key->slot(parsed, part));
+    std::visit(Assignment(entry, *key), key->slot(parsed, row));
     given.insert(join(entry.path));
+    places[join(entry.path)] = entry.place;
     if (key->dimension != Dimension::number)
       parsed.written[join(entry.path)] = entry.found;
   }
   require_keys(parsed, given, file.string());
+  check_part_laws(parsed, places);
   if (parsed.run.viscosity.kind == ViscosityKind::bulk) { // its own constants, where the case gives none
     if (!given.contains("run.viscosity_linear"))
       parsed.run.viscosity.linear = dissertation_viscosity.linear;

@@ -3,6 +3,7 @@
 // in core/settings.h; ranges and texts stand in keys.cpp.
 #pragma once
 
+#include "cases/law_case.h"
 #include "core/settings.h"
 
 #include <array>
@@ -17,7 +18,7 @@ struct PartCase
 {
   std::string name;
   double porosity = 0;              //!< volume share of air [-]
-  std::string eos = "impact-event"; //!< one of porous_law_names()
+  std::string eos = "impact-event"; //!< one of porous_law_names(), or the name of one of Case::laws
 };
 
 struct BirdCase
@@ -49,6 +50,7 @@ struct Case
   BirdCase bird;
   TargetCase target;
   Settings run;
+  std::vector<LawCase> laws; //!< tables [eos.NAME], in the order of the file
 
   std::filesystem::path file;                 //!< where it was read
   std::map<std::string, std::string> written; //!< TOML text of each key that was given, by path

@@ -18,6 +18,19 @@ bool is_bare(const std::string& name)
   });
 }
 
+//! Names that the '*' of "bird.parts.*" or "eos.*" stands for.
+std::vector<std::string> names_of(const Case& values, const std::string& prefix)
+{
+  std::vector<std::string> names;
+  if (prefix == "eos.")
+    for (const LawCase& law : values.laws)
+      names.push_back(law.name);
+  else
+    for (const PartCase& part : values.bird.parts)
+      names.push_back(part.name);
+  return names;
+}
+
 } // namespace
 
 std::string to_toml(const Case& parsed)
@@ -36,21 +49,24 @@ std::string to_toml(const Case& parsed)
       text += fmt::format("\n[{}]\n", name);
     table = name;
   };
-  bool parts_written = false;
+  std::string written_tables; // prefixes of the paths with '*' that are done
   for (const Key& key : case_keys()) {
     const std::string path(key.path);
     const std::size_t star = path.find('*'), dot = path.find('.');
     if (star != std::string::npos) {
-      if (parts_written)
-        continue; // all keys of a part stand together
-      parts_written = true;
-      for (std::size_t part = 0; part < values.bird.parts.size(); ++part) {
-        const std::string& name = values.bird.parts[part].name;
-        open("bird.parts." + (is_bare(name) ? name : toml_string(name)));
-        for (const Key& of_part : case_keys())
-          if (of_part.path.starts_with("bird.parts.*."))
-            line(of_part, fmt::format("bird.parts.{}.{}", name, of_part.path.substr(star + 2)),
-                 std::string(of_part.path.substr(star + 2)), part);
+      const std::string prefix = path.substr(0, star);
+      if (written_tables == prefix)
+        continue; // all keys of a part or of a law stand together
+      written_tables = prefix;
+      const std::vector<std::string> names = names_of(values, prefix);
+      for (std::size_t row = 0; row < names.size(); ++row) {
+        open(prefix + (is_bare(names[row]) ? names[row] : toml_string(names[row])));
+        for (const Key& of_row : case_keys())
+          if (of_row.path.starts_with(prefix + "*.") &&
+              !(prefix == "eos." && is_empty(of_row.slot(values, row)))) {
+            const std::string key_name(of_row.path.substr(star + 2));
+            line(of_row, prefix + names[row] + "." + key_name, key_name, row);
+          }
       }
       continue;
     }

@@ -29,14 +29,15 @@ struct Range
 
 struct Key
 {
-  std::string_view path; //!< "bird.spacing"; a '*' stands for the name of a part
+  std::string_view path; //!< "bird.spacing"; a '*' stands for the name of a part, or of a law in "eos.*.c0"
   Dimension dimension;   //!< of numbers; Dimension::number for everything else
   std::string_view unit; //!< in which defaults are shown
   bool required;
   Range range;
   std::string_view text;
-  Slot (*slot)(Case& parsed, std::size_t part); //!< part: row of bird.parts, for paths with '*'
+  Slot (*slot)(Case& parsed, std::size_t row); //!< row of bird.parts or of laws, for paths with '*'
   std::vector<std::string> (*choices)() = nullptr;
+  bool or_law = false; //!< besides the choices, the name of any table [eos.NAME]; read_case checks that
 };
 
 //! All keys, in the order in which a case file is written.
@@ -53,6 +54,9 @@ std::string kind_of(const Key& key);
 
 //! "> 0 m", "0 ... 0.9", "" ; in SI
 std::string describe(const Range& range, Dimension dimension);
+
+//! Was the value of a key without default not given: a NaN, or an empty text?
+bool is_empty(const Slot& slot);
 
 //! The value in a slot as TOML text: "6 mm" with quotes, 1.25, true, ["1.8 m", "1.2 m"].
 std::string to_toml(const Slot& slot, const Key& key);

@@ -15,12 +15,14 @@ struct ShockState
   double shock_speed; //!< u_s, against the matter ahead of it [m/s]
 };
 
+//! Where the law depends on energy it is that behind the shock, e = u^2/2, from a state of rest with e = 0.
 //! \param speed  impact speed normal to the target, positive [m/s]
 //! \throw InputError unless 0 < speed, or if the law is not stiff enough to stop it below ten times its
 //! density
 ShockState hugoniot(const EquationOfState& eos, double speed);
 
-//! Stagnation pressure of a steady jet [Pa] by Bernoulli alone, 6.21: integral of dp/rho from 0 equals u^2/2.
+//! Stagnation pressure of a steady jet [Pa] by Bernoulli alone, 6.21: integral of dp/rho from 0 equals u^2/2, along the
+//! isentrope de = p/rho^2 drho.
 double stagnation_bernoulli(const EquationOfState& eos, double speed);
 
 //! Stagnation pressure of a steady jet [Pa] behind a standing shock.
