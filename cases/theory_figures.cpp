@@ -62,7 +62,7 @@ Plot water_pressure()
             .x_label = "impact velocity [m/s]",
             .y_label = "Hugoniot pressure [MPa]",
             .series = {},
-            .x_range = {},
+            .x_range = std::array{0.0, highest_speed},
             .y_range = {}};
   PlotSeries exact{.name = "6.4, 6.5 with 6.9", .x = {}, .y = {}, .colour = {}};
   PlotSeries linear{
@@ -120,15 +120,17 @@ Plot stagnation()
             .x_label = "impact velocity [m/s]",
             .y_label = "stagnation pressure [MPa]",
             .series = {},
-            .x_range = {},
+            .x_range = std::array{0.0, highest_speed},
             .y_range = {}};
   constexpr const char* colours[] = {"#0072b2", "#d55e00", "#009e73"};
   std::size_t k = 0;
   for (const double z : {0.0, 0.4, 0.8}) {
     const EquationOfState shock = shock_law(z, porous_density(z)),
                           isentrope = isentropic_law(z, porous_density(z));
-    PlotSeries standing{
-        .name = fmt::format("z = {}, standing shock", z), .x = {}, .y = {}, .colour = colours[k]};
+    PlotSeries standing{.name = z == 0 ? "z = 0, both" : fmt::format("z = {}, standing shock", z),
+                        .x = {},
+                        .y = {},
+                        .colour = colours[k]};
     PlotSeries bernoulli{.name = fmt::format("z = {}, Bernoulli", z),
                          .x = {},
                          .y = {},
@@ -142,7 +144,8 @@ Plot stagnation()
       bernoulli.y.push_back(stagnation_bernoulli(isentrope, u) / 1e6);
     }
     plot.series.push_back(standing);
-    plot.series.push_back(bernoulli);
+    if (z > 0) // water is never supersonic here
+      plot.series.push_back(bernoulli);
   }
   return plot;
 }

@@ -98,10 +98,11 @@ void add_steady(Table& table, const TheoryInput& in)
   table.add("stagnation_bernoulli", "stagnation pressure by Bernoulli alone, law in use", "p_s", bernoulli,
             "Pa", "integral of dp/rho = u^2/2 (6.21)");
   if (in.porosity) {
-    table.add("stagnation_standing_shock_porous_water", "the same behind a standing shock, porous water",
-              "p_s", stagnation_standing_shock(shock_law(*in.porosity, rho0), u), "Pa", "the same with 6.20");
-    table.add("stagnation_bernoulli_porous_water", "the same by Bernoulli alone, porous water", "p_s",
-              stagnation_bernoulli(isentropic_law(*in.porosity, rho0), u), "Pa", "6.21 with 6.23");
+    table.add("stagnation_standing_shock_porous_water",
+              "stagnation pressure behind a standing shock, porous water", "p_s",
+              stagnation_standing_shock(shock_law(*in.porosity, rho0), u), "Pa", "as above with 6.20");
+    table.add("stagnation_bernoulli_porous_water", "stagnation pressure by Bernoulli alone, porous water",
+              "p_s", stagnation_bernoulli(isentropic_law(*in.porosity, rho0), u), "Pa", "6.21 with 6.23");
   }
   table.add("stagnation_factor", "stagnation factor, behind a standing shock", "k", shocked / (rho0 * u * u),
             "", "p_s = k rho0 u^2 (2.7)");
