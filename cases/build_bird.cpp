@@ -121,13 +121,13 @@ void report(const BuiltBird& bird, const Case& parsed, Log& log)
   row(all, "");
   const double off = 100 * (bird.density_factor - 1);
   log.info(fmt::format(
-      "density factor {:.4f}: all parts are {:.1f} % {} than their porosity says, so that the bird "
+      "density factor {:.4f}: all parts are {:.1f} % {} than their materials say, so that the bird "
       "weighs {} kg",
       bird.density_factor, std::abs(off), off < 0 ? "lighter" : "denser", parsed.bird.mass));
   if (std::abs(off) > 5)
     log.warn(fmt::format(
-        "at the densities of its porosities this bird would weigh {:.3f} kg, not {} kg; scale the mesh "
-        "(bird.mesh_unit) by {:.3f} or change porosities to let them agree",
+        "at the densities of its materials this bird would weigh {:.3f} kg, not {} kg; scale the mesh "
+        "(bird.mesh_unit) by {:.3f} or change porosities or laws to let them agree",
         parsed.bird.mass / bird.density_factor, parsed.bird.mass, std::cbrt(bird.density_factor)));
 }
 
@@ -203,7 +203,7 @@ BuiltBird build_bird(const Case& parsed, const BirdMesh& mesh, Log& log)
   if (bird.density_factor < 0.2 || bird.density_factor > 5)
     throw InputError(fmt::format(
         "{}: bird.mass = {} kg does not belong to this mesh, which would weigh {:.4g} kg at the "
-        "densities of its porosities; check bird.mass and bird.mesh_unit",
+        "densities of its materials; check bird.mass and bird.mesh_unit",
         parsed.file.empty() ? mesh.file.string() : parsed.file.string(), wish.mass, natural_mass));
 
   std::vector<Part> parts;

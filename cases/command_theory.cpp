@@ -20,17 +20,18 @@
 namespace birdstrike {
 namespace {
 
-constexpr const char* standing_shock_note = "Standing shock or Bernoulli: 6.21, integral of dp/rho = u^2/2, "
-                                            "takes the steady jet to rest without loss, which needs "
-                                            "the plate's pressure to reach upstream. Sound in porous water "
-                                            "is slow (some 30 m/s at z = 0.4), so the jet is "
-                                            "supersonic, M = u/c0 > 1, and a shock stands before the plate. "
-                                            "Across it rho0 u = rho2 u2 and p2 + rho2 u2^2 = rho0 "
-                                            "u^2 with p2 = p(rho2); from there 6.21 holds, integral of "
-                                            "dp/rho from p2 = u2^2/2. The shock turns part of the "
-                                            "motion into heat, so this pressure is the lower one (z = 0.4, "
-                                            "200 m/s: 16.2 against 19.3 MPa), and it is the one that "
-                                            "a steady simulation follows. For M <= 1 both are the same.";
+constexpr const char* standing_shock_note =
+    "Standing shock or Bernoulli: 6.21, integral of dp/rho = u^2/2, "
+    "takes the steady jet to rest without loss, which needs "
+    "the plate's pressure to reach upstream. Sound in porous water "
+    "is slow (some 30 m/s at z = 0.4), so the jet is "
+    "supersonic, M = u/c0 > 1, and a shock stands before the plate. "
+    "Across it rho0 u = rho2 u2 and p2 + rho2 u2^2 = rho0 "
+    "u^2 with p2 = p(rho2); from there 6.21 holds, integral of "
+    "dp/rho from p2 = u2^2/2. The shock turns part of the "
+    "motion into heat, so this pressure is the lower one (z = 0.4, "
+    "200 m/s: 16.2 against 19.3 MPa), and it is the one that "
+    "a steady simulation follows. Where sound outruns the flow all the way to rest both are the same.";
 
 struct Options
 {

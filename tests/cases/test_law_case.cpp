@@ -120,6 +120,30 @@ TEST_CASE("a part with a law of its own is scaled to the bird's mass", "[cases][
   CHECK(evaluate(eos, 600 * 1.1).pressure == Approx(Murnaghan{950, 128e6, 7.98}.at(950 * 1.1).pressure));
 }
 
+TEST_CASE("the log of a run has each part's law, its range, its fit, and the tension cut-off",
+          "[cases][eos][program]")
+{
+  const scratch::Folder folder;
+  folder.write("box.obj", scratch::box("torso", 0.1, 0.05, 0.05));
+  folder.write("case.toml", with_law("eos = \"gel\"", "[eos.gel]\nlaw = \"linear\"\ndensity = \"700 "
+                                                      "kg/m3\"\nbulk_modulus = \"200 MPa\"\n"));
+  folder.write("porous.toml", box_case);
+  const std::string options =
+      " --set run.end='0.05 ms' --set run.tension_cutoff='-20 kPa' --quiet --no-figures --threads 1";
+  const scratch::Outcome own = scratch::program(folder.path, "run case.toml -o own" + options);
+  INFO(own.output);
+  REQUIRE(own.status == 0);
+  CHECK_THAT(scratch::read(folder.path / "own/run.log"),
+             Catch::Contains("linear p = K") && Catch::Contains("source:") &&
+                 Catch::Contains("tension is cut off at -0.02 MPa"));
+  CHECK_THAT(scratch::read(folder.path / "own/case.toml"), Catch::Contains("[eos.gel]"));
+  const scratch::Outcome porous = scratch::program(folder.path, "run porous.toml -o porous" + options);
+  INFO(porous.output);
+  REQUIRE(porous.status == 0);
+  CHECK_THAT(scratch::read(folder.path / "porous/run.log"),
+             Catch::Contains("rms error") && Catch::Contains("up to 200 MPa"));
+}
+
 TEST_CASE("what is wrong in a law is named with file, line and key", "[cases][eos][errors]")
 {
   const std::string gel =
