@@ -38,7 +38,7 @@ struct CubicFit
 };
 
 //! Pressure up to which the cubic is fitted [Pa]: 200 MPa, or the Hugoniot pressure (6.20) at 250 m/s where that is
-//! more (z < 0.2).
+//! more (z <= 0.2).
 double impact_event_range(double z);
 
 //! The third-degree polynomial of section 6.3: least squares to impact_event_table over 0 <= p <= \p range at
