@@ -4,8 +4,8 @@
 
 #include "cases/build_shape.h"
 #include "cases/log.h"
+#include "cases/quantity.h"
 #include "core/error.h"
-#include "core/material/porous_bird.h"
 #include "geometry/check.h"
 #include "geometry/fill.h"
 #include "geometry/import/read_mesh.h"
@@ -131,7 +131,7 @@ void report(const BuiltBird& bird, const Case& parsed, Log& log)
     return;
   const double off = 100 * (bird.density_factor - 1);
   log.info(fmt::format(
-      "density factor {:.4f}: all parts are {:.1f} % {} than their porosity says, so that the bird "
+      "density factor {:.4f}: all parts are {:.1f} % {} than their materials say, so that the bird "
       "weighs {} kg",
       bird.density_factor, std::abs(off), off < 0 ? "lighter" : "denser", parsed.bird.mass));
   if (!parsed.bird.shape.empty()) {
@@ -141,8 +141,8 @@ void report(const BuiltBird& bird, const Case& parsed, Log& log)
       log.warn("the particles are too coarse for this shape; refine bird.spacing");
   } else if (std::abs(off) > 5)
     log.warn(fmt::format(
-        "at the densities of its porosities this bird would weigh {:.3f} kg, not {} kg; scale the mesh "
-        "(bird.mesh_unit) by {:.3f} or change porosities to let them agree",
+        "at the densities of its materials this bird would weigh {:.3f} kg, not {} kg; scale the mesh "
+        "(bird.mesh_unit) by {:.3f} or change porosities or laws to let them agree",
         parsed.bird.mass / bird.density_factor, parsed.bird.mass, std::cbrt(bird.density_factor)));
 }
 
@@ -154,23 +154,25 @@ BuiltBird finish_bird(const Case& parsed, const Fill& fill, const std::string& p
   // One factor for all parts: mass = factor * sum of natural density * volume.
   const double cell = wish.spacing * wish.spacing * wish.spacing;
   double natural_mass = 0;
-  for (const FilledPart& part : fill.parts)
-    natural_mass +=
-        porous_density(part_case(parsed, part.name).porosity) * static_cast<double>(part.particles) * cell;
+  std::vector<EquationOfState> laws;
+  for (const FilledPart& part : fill.parts) {
+    laws.push_back(natural_law(parsed, part_case(parsed, part.name)));
+    natural_mass += reference_density(laws.back()) * static_cast<double>(part.particles) * cell;
+  }
   BuiltBird bird;
   bird.density_factor = is_column(parsed) ? 1 : wish.mass / natural_mass;
   if (bird.density_factor < 0.2 || bird.density_factor > 5)
     throw InputError(
         fmt::format("{}: bird.mass = {} kg does not belong to this mesh, which would weigh {:.4g} kg at the "
-                    "densities of its porosities; check bird.mass and bird.mesh_unit",
+                    "densities of its materials; check bird.mass and bird.mesh_unit",
                     place, wish.mass, natural_mass));
 
   std::vector<Part> parts;
   for (const FilledPart& part : fill.parts) {
     const PartCase& given = part_case(parsed, part.name);
-    const double density = bird.density_factor * porous_density(given.porosity);
-    parts.push_back(
-        {part.name, make_porous_law(given.eos, given.porosity, density), given.porosity, part.mesh_volume});
+    const EquationOfState& law = laws[parts.size()];
+    parts.push_back({part.name, rescaled(law, bird.density_factor * reference_density(law)), given.porosity,
+                     part.mesh_volume});
   }
   std::vector<Seed> seeds = fill.seeds;
   rotate(seeds, {.yaw = wish.yaw, .pitch = wish.pitch, .roll = wish.roll});
@@ -198,6 +200,8 @@ BuiltBird finish_bird(const Case& parsed, const Fill& fill, const std::string& p
   report(bird, parsed, log);
   for (const Part& part : parts)
     log.file_only(fmt::format("{}: {}", part.name, describe(part.eos)));
+  log.file_only(fmt::format("tension is cut off at {}",
+                            format_quantity(parsed.run.tension_cutoff, Dimension::pressure, "MPa")));
   return bird;
 }
 

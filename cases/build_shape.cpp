@@ -2,7 +2,6 @@
 #include "cases/build_shape.h"
 
 #include "core/error.h"
-#include "core/material/porous_bird.h"
 
 #include <fmt/format.h>
 
@@ -20,7 +19,7 @@ ShapeSize size_of_shape(const Case& parsed)
 {
   const BirdCase& bird = parsed.bird;
   try {
-    return shape_size(bird.shape, bird.mass, porous_density(bird.parts.at(0).porosity),
+    return shape_size(bird.shape, bird.mass, reference_density(natural_law(parsed, bird.parts.at(0))),
                       bird.length_over_diameter);
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: bird.length_over_diameter: {}", parsed.file.string(), error.what()));

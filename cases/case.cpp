@@ -117,7 +117,7 @@ private:
       fail(kind_of(key_) + " is needed");
     if (key_.choices) {
       const std::vector<std::string> choices = key_.choices();
-      if (std::find(choices.begin(), choices.end(), result) == choices.end())
+      if (!key_.or_law && std::find(choices.begin(), choices.end(), result) == choices.end())
         fail(kind_of(key_) + " is needed");
     }
     return result;
@@ -165,6 +165,48 @@ void require_keys(const Case& parsed, const std::set<std::string>& given, const 
       if (!given.contains(path))
         throw InputError(
             fmt::format("{}: {} is missing: {} is needed ({})", file, path, kind_of(key), key.text));
+  }
+}
+
+std::string place_of(const std::map<std::string, std::string>& places, const std::string& path,
+                     const std::string& file)
+{
+  const auto found = places.find(path);
+  return found == places.end() ? file : found->second;
+}
+
+//! Names of laws exist and are nobody else's, and every part has the porosity that its law needs.
+//! \param places  of the keys that were given
+void check_part_laws(const Case& parsed, const std::map<std::string, std::string>& places)
+{
+  const std::string file = parsed.file.string();
+  const Key& eos = *find_key({"bird", "parts", "*", "eos"});
+  const Key& porosity = *find_key({"bird", "parts", "*", "porosity"});
+  const std::vector<std::string> porous = eos.choices();
+  for (const LawCase& law : parsed.laws)
+    if (std::find(porous.begin(), porous.end(), law.name) != porous.end())
+      throw InputError(fmt::format("{}: eos.{}: this name is taken by a law of porous flesh; choose another",
+                                   law.place, law.name));
+  for (const PartCase& part : parsed.bird.parts) {
+    const std::string path = "bird.parts." + part.name;
+    if (std::any_of(parsed.laws.begin(), parsed.laws.end(),
+                    [&](const LawCase& law) { return law.name == part.eos; }))
+    {
+      if (part.porosity != 0)
+        throw InputError(fmt::format("{}: {}.porosity = {}: the law \"{}\" has none; leave the porosity out",
+                                     place_of(places, path + ".porosity", file), path, part.porosity,
+                                     part.eos));
+    } else if (std::find(porous.begin(), porous.end(), part.eos) == porous.end()) {
+      std::string own;
+      for (const LawCase& law : parsed.laws)
+        own += fmt::format(", \"{}\"", law.name);
+      throw InputError(fmt::format("{}: {}.eos = {}: {} is needed{}", place_of(places, path + ".eos", file),
+                                   path, toml_string(part.eos), kind_of(eos),
+                                   own.empty() ? "; the case has none" : "; the case has " + own.substr(2)));
+    } else if (!places.contains(path + ".porosity")) {
+      throw InputError(fmt::format("{}: {}.porosity is missing: {} is needed ({})", file, path,
+                                   kind_of(porosity), porosity.text));
+    }
   }
 }
 
@@ -243,6 +285,7 @@ Case read_case_with(const std::filesystem::path& file, const std::vector<Entry>&
   Case parsed;
   parsed.file = file;
   std::set<std::string> given;
+  std::map<std::string, std::string> places;
   for (const Entry& entry : entries) {
     if (entry.is_table && make_empty_row(parsed, entry.path))
       continue;
@@ -254,14 +297,19 @@ Case read_case_with(const std::filesystem::path& file, const std::vector<Entry>&
     if (entry.is_table)
       throw InputError(fmt::format("{}: {} is an empty table: {} is needed", entry.place, join(entry.path),
                                    kind_of(*key)));
-    std::visit(Assignment(entry, *key), key->slot(parsed, row_for(parsed, *key, entry.path)));
+    const std::size_t row = row_for(parsed, *key, entry.path);
+    if (key->path.starts_with("eos.") && parsed.laws[row].place.empty())
+      parsed.laws[row].place = entry.place;
+    std::visit(Assignment(entry, *key), key->slot(parsed, row));
     given.insert(join(entry.path));
+    places[join(entry.path)] = entry.place;
     if (key->dimension != Dimension::number)
       parsed.written[join(entry.path)] = entry.found;
   }
   require_keys(parsed, given, file.string());
   check_bird(parsed, given, file.string());
   refuse_idle_keys(parsed, entries);
+  check_part_laws(parsed, places);
   // Each kind of viscosity has its own constants, where the case gives none.
   const Viscosity usual = usual_viscosity(parsed.run.viscosity.kind);
   if (!given.contains("run.viscosity_linear"))

@@ -3,6 +3,7 @@
 // in core/settings.h; ranges and texts stand in keys.cpp.
 #pragma once
 
+#include "cases/law_case.h"
 #include "core/settings.h"
 
 #include <array>
@@ -18,7 +19,7 @@ struct PartCase
 {
   std::string name;
   double porosity = 0;              //!< volume share of air [-]
-  std::string eos = "impact-event"; //!< one of porous_law_names()
+  std::string eos = "impact-event"; //!< one of porous_law_names(), or the name of one of Case::laws
   int layers = 60;                  //!< of a column [-]
 };
 
@@ -65,6 +66,7 @@ struct Case
   TargetCase target;
   std::vector<TransducerCase> transducers; //!< in the order of the file
   Settings run;
+  std::vector<LawCase> laws; //!< tables [eos.NAME], in the order of the file
 
   std::filesystem::path file;                 //!< where it was read
   std::map<std::string, std::string> written; //!< TOML text of each key that was given, by path
@@ -95,5 +97,8 @@ bool is_column(const Case& parsed);
 //! The bird's mesh: an absolute path, a path beside the case file, or a file of share/meshes, in this order.
 //! \throw InputError naming every place that was looked at
 std::filesystem::path find_mesh(const Case& parsed);
+
+//! The law of a part at the density that its material has by itself: natural_law of law_case.h.
+EquationOfState natural_law(const Case& parsed, const PartCase& part);
 
 } // namespace birdstrike

@@ -18,6 +18,19 @@ bool is_bare(const std::string& name)
   });
 }
 
+//! Names that the '*' of "bird.parts.*" or "eos.*" stands for.
+std::vector<std::string> names_of(const Case& values, const std::string& prefix)
+{
+  std::vector<std::string> names;
+  if (prefix == "eos.")
+    for (const LawCase& law : values.laws)
+      names.push_back(law.name);
+  else
+    for (const PartCase& part : values.bird.parts)
+      names.push_back(part.name);
+  return names;
+}
+
 } // namespace
 
 std::string to_toml(const Case& parsed)
@@ -51,7 +64,8 @@ std::string to_toml(const Case& parsed)
       for (std::size_t row = 0; row < names.size(); ++row) {
         open(prefix + (is_bare(names[row]) ? names[row] : toml_string(names[row])));
         for (const Key& of_row : case_keys())
-          if (of_row.path.starts_with(prefix + "*.") && (!of_row.only || of_row.only->holds(values)))
+          if (of_row.path.starts_with(prefix + "*.") && (!of_row.only || of_row.only->holds(values)) &&
+              !(prefix == "eos." && is_empty(of_row.slot(values, row))))
             line(of_row, fmt::format("{}{}.{}", prefix, names[row], of_row.path.substr(star + 2)),
                  std::string(of_row.path.substr(star + 2)), row);
       }

@@ -2,7 +2,6 @@
 #include "cases/column.h"
 
 #include "core/error.h"
-#include "core/material/porous_bird.h"
 #include "core/theory/impact_pressures.h"
 
 #include <fmt/format.h>
@@ -12,11 +11,6 @@
 namespace birdstrike {
 
 bool is_column(const Case& parsed) { return parsed.bird.shape == "column"; }
-
-EquationOfState natural_law(const PartCase& part)
-{
-  return make_porous_law(part.eos, part.porosity, porous_density(part.porosity));
-}
 
 void complete_column(Case& parsed, bool end_is_given)
 {
@@ -39,7 +33,8 @@ void complete_column(Case& parsed, bool end_is_given)
   double end = bird.gap / bird.velocity;
   for (const PartCase& part : bird.parts)
     try {
-      end += shocked * part.layers * bird.spacing / hugoniot(natural_law(part), bird.velocity).shock_speed;
+      end += shocked * part.layers * bird.spacing /
+             hugoniot(natural_law(parsed, part), bird.velocity).shock_speed;
     } catch (const InputError& error) {
       throw InputError(fmt::format("{}: bird.parts.{}: run.end cannot be computed: {}", parsed.file.string(),
                                    part.name, error.what()));

@@ -3,12 +3,8 @@
 #pragma once
 
 #include "cases/case.h"
-#include "core/material/equation_of_state.h"
 
 namespace birdstrike {
-
-//! Law of a part of a column, at the natural density of its porosity.
-EquationOfState natural_law(const PartCase& part);
 
 //! The box that repeats sideways, a plate of one element over all of it, and, unless it is given, the end of the run:
 //! when four fifths of the layers have been shocked, 0.8 sum(layers spacing / u_s) after first contact, with the shock

@@ -15,5 +15,6 @@ void add_bird_command(CLI::App& program);
 void add_histories_command(CLI::App& program);
 void add_render_command(CLI::App& program);
 void add_cases_command(CLI::App& program);
+void add_theory_command(CLI::App& program);
 
 } // namespace birdstrike

@@ -56,6 +56,7 @@ const Condition no_column{"a bird that is not a column", [](const Case& c) { ret
 
 // clang-format off
 #define SLOT(member) [](Case& c, std::size_t) -> Slot { return &c.member; }
+#define LAW_SLOT(member) [](Case& c, std::size_t row) -> Slot { return &c.laws[row].member; }
 #define PART_SLOT(member) [](Case& c, std::size_t part) -> Slot { return &c.bird.parts[part].member; }
 #define TRANSDUCER_SLOT(member) [](Case& c, std::size_t row) -> Slot { return &c.transducers[row].member; }
 const std::vector<Key>& table()
@@ -78,9 +79,26 @@ const std::vector<Key>& table()
     {"bird.yaw", angle, "deg", false, {}, "turns the nose to the bird's left, about the vertical axis", SLOT(bird.yaw), nullptr, &no_column},
     {"bird.pitch", angle, "deg", false, {}, "turns the nose up", SLOT(bird.pitch), nullptr, &no_column},
     {"bird.roll", angle, "deg", false, {}, "turns the left wing up, about the flight axis", SLOT(bird.roll), nullptr, &no_column},
-    {"bird.parts.*.porosity", number, "", true, within(0, 0.9), "volume share of air in the part's material", PART_SLOT(porosity)},
-    {"bird.parts.*.eos", number, "", false, {}, "equation of state of the part", PART_SLOT(eos), law_names},
+    {"bird.parts.*.porosity", number, "", false, within(0, 0.9), "volume share of air in the part's material; required with a law of porous flesh", PART_SLOT(porosity)},
+    {"bird.parts.*.eos", number, "", false, {}, "equation of state of the part", PART_SLOT(eos), law_names, nullptr, nullptr, true},
     {"bird.parts.*.layers", number, "", false, within(1, 100000), "layers of the part in a column, whose parts are stacked from the plate on in the order of the file", PART_SLOT(layers), nullptr, &with_column},
+
+    {"eos.*.law", number, "", true, {}, "kind of the law; it needs: linear density, bulk_modulus; murnaghan density, B, gamma; polynomial density, C1 [C2, C3, mu_max]; hugoniot density, c0, slope; mie-gruneisen density, c0, slope, gruneisen [slope_2, slope_3, gruneisen_slope]; table file", LAW_SLOT(law), law_kinds},
+    {"eos.*.density", density, "kg/m3", false, above(0), "density at rest; a part scaled to meet the bird's mass keeps the pressure as a function of density / density at rest", LAW_SLOT(density)},
+    {"eos.*.bulk_modulus", pressure, "MPa", false, above(0), "K of p = K (rho/rho0 - 1)", LAW_SLOT(bulk_modulus)},
+    {"eos.*.B", pressure, "MPa", false, above(0), "of p = B [(rho/rho0)^gamma - 1]: bulk modulus over gamma", LAW_SLOT(B)},
+    {"eos.*.gamma", number, "", false, at_least(1), "exponent of Murnaghan's law", LAW_SLOT(gamma)},
+    {"eos.*.C1", pressure, "MPa", false, above(0), "of p = C1 mu + C2 mu^2 + C3 mu^3, mu = rho/rho0 - 1", LAW_SLOT(C1)},
+    {"eos.*.C2", pressure, "MPa", false, {}, "of the polynomial; 0 if not given", LAW_SLOT(C2)},
+    {"eos.*.C3", pressure, "MPa", false, {}, "of the polynomial; 0 if not given", LAW_SLOT(C3)},
+    {"eos.*.mu_max", number, "", false, above(0), "compression up to which the polynomial has to rise; 1 if not given", LAW_SLOT(mu_max)},
+    {"eos.*.c0", velocity, "m/s", false, above(0), "sound speed at rest, of the shock curve us = c0 + slope u", LAW_SLOT(c0)},
+    {"eos.*.slope", number, "", false, at_least(0), "slope of the shock curve", LAW_SLOT(slope)},
+    {"eos.*.slope_2", number, "", false, {}, "S2 of us = c0 + (slope + S2 u/us + S3 (u/us)^2) u; 0 if not given", LAW_SLOT(slope_2)},
+    {"eos.*.slope_3", number, "", false, {}, "S3 of the same; 0 if not given", LAW_SLOT(slope_3)},
+    {"eos.*.gruneisen", number, "", false, at_least(0), "Grueneisen's Gamma at rest", LAW_SLOT(gruneisen)},
+    {"eos.*.gruneisen_slope", number, "", false, {}, "a of rho Gamma = rho0 (gruneisen + a mu); 0 if not given", LAW_SLOT(gruneisen_slope)},
+    {"eos.*.file", number, "", false, {}, "table with the columns density [kg/m3] and pressure [Pa], a path beside the case", LAW_SLOT(file)},
 
     {"target.plate.size", length, "m", true, above(0), "edge lengths of the plate, sideways and upwards", SLOT(target.size), nullptr, &no_column},
     {"target.plate.thickness", length, "mm", true, above(0), "thickness of the plate", SLOT(target.thickness), nullptr, &no_column},
@@ -106,6 +124,7 @@ const std::vector<Key>& table()
   return rows;
 }
 #undef SLOT
+#undef LAW_SLOT
 #undef PART_SLOT
 #undef TRANSDUCER_SLOT
 // clang-format on
@@ -131,7 +150,9 @@ constexpr std::array named_tables{
     NamedTable{"bird.parts.", [](const Case& c) { return names_of(c.bird.parts); },
                [](Case& c, const std::string& name) { c.bird.parts.push_back({.name = name}); }},
     NamedTable{"transducers.", [](const Case& c) { return names_of(c.transducers); },
-               [](Case& c, const std::string& name) { c.transducers.push_back({.name = name}); }}};
+               [](Case& c, const std::string& name) { c.transducers.push_back({.name = name}); }},
+    NamedTable{"eos.", [](const Case& c) { return names_of(c.laws); },
+               [](Case& c, const std::string& name) { c.laws.emplace_back().name = name; }}};
 
 const NamedTable* table_of(std::string_view path)
 {
@@ -150,13 +171,14 @@ std::size_t row_named(Case& parsed, const NamedTable& named, const std::string& 
   return row;
 }
 
-//! A Case with one part and one transducer, to look defaults up in.
+//! A Case with one part, one transducer and one law, to look defaults up in.
 Case& defaults()
 {
   static Case values = [] {
     Case c;
     c.bird.parts.emplace_back();
     c.transducers.emplace_back();
+    c.laws.emplace_back();
     return c;
   }();
   return values;
@@ -274,7 +296,8 @@ std::string kind_of(const Key& key)
                         [](bool*) { return std::string("true or false"); },
                         [&](auto*) {
                           return key.choices
-                                     ? fmt::format("one of \"{}\"", fmt::join(key.choices(), "\", \""))
+                                     ? fmt::format("one of \"{}\"{}", fmt::join(key.choices(), "\", \""),
+                                                   key.or_law ? " or the name of an [eos.NAME]" : "")
                                      : std::string("a text in quotes");
                         },
                     },
@@ -314,6 +337,15 @@ std::string toml_string(std::string_view text)
   return result + '"';
 }
 
+bool is_empty(const Slot& slot)
+{
+  if (double* const* number = std::get_if<double*>(&slot))
+    return std::isnan(**number);
+  if (std::string* const* text = std::get_if<std::string*>(&slot))
+    return (*text)->empty();
+  return false;
+}
+
 std::string to_toml(const Slot& slot, const Key& key)
 {
   const auto quantity = [&](double value) {
@@ -342,9 +374,12 @@ std::string keys_manual()
   std::string text;
   for (const Key& key : table()) {
     const std::string range = describe(key.range, key.dimension);
+    const Slot slot = key.slot(defaults(), 0);
     text += fmt::format("{}\n    {}\n    {}{}; {}{}\n", named(key, {}), key.text, kind_of(key),
                         range.empty() ? "" : ", " + range,
-                        key.required ? "required" : "default " + to_toml(key.slot(defaults(), 0), key),
+                        key.required     ? "required"
+                        : is_empty(slot) ? "optional"
+                                         : "default " + to_toml(slot, key),
                         key.unless ? fmt::format(", but not for {}", key.unless->text)
                         : key.only ? fmt::format("; only for {}", key.only->text)
                                    : "");

@@ -36,7 +36,7 @@ struct Condition
 
 struct Key
 {
-  std::string_view path; //!< "bird.spacing"; a '*' stands for the name of a part or transducer
+  std::string_view path; //!< "bird.spacing"; a '*' stands for the name of a part, a transducer or a law
   Dimension dimension;   //!< of numbers; Dimension::number for everything else
   std::string_view unit; //!< in which defaults are shown
   bool required;
@@ -46,6 +46,7 @@ struct Key
   std::vector<std::string> (*choices)() = nullptr;
   const Condition* only = nullptr;   //!< elsewhere the key has no meaning and is refused
   const Condition* unless = nullptr; //!< a required key may be left out there
+  bool or_law = false; //!< besides the choices, the name of any table [eos.NAME]; read_case checks that
 };
 
 //! "limited", "pairwise", "switched" or "dissertation", the bulk term of 5.58.
@@ -80,6 +81,9 @@ std::string kind_of(const Key& key);
 
 //! "> 0 m", "0 ... 0.9", "" ; in SI, angles in degrees
 std::string describe(const Range& range, Dimension dimension);
+
+//! Was the value of a key without default not given: a NaN, or an empty text?
+bool is_empty(const Slot& slot);
 
 //! The value in a slot as TOML text: "6 mm" with quotes, 1.25, true, ["1.8 m", "1.2 m"].
 std::string to_toml(const Slot& slot, const Key& key);

@@ -22,7 +22,7 @@ struct Row
   std::string_view name, article, unit, example;
 };
 // In the order of Dimension.
-constexpr std::array<Row, 7> rows{{
+constexpr std::array<Row, 8> rows{{
     {"number", "a", "", "1.25"},
     {"length", "a", "m", "6 mm"},
     {"mass", "a", "kg", "4 kg"},
@@ -30,6 +30,7 @@ constexpr std::array<Row, 7> rows{{
     {"time", "a", "s", "7 ms"},
     {"pressure", "a", "Pa", "-1 MPa"},
     {"angle", "an", "rad", "5 deg"},
+    {"density", "a", "kg/m3", "950 kg/m3"},
 }};
 const Row& row_of(Dimension dimension) { return rows[static_cast<std::size_t>(dimension)]; }
 

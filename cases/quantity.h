@@ -16,10 +16,12 @@ enum class Dimension
   velocity,
   time,
   pressure,
-  angle
+  angle,
+  density
 };
 
-std::string_view si_unit(Dimension dimension);        //!< "m", "kg", "m/s", "s", "Pa", "rad"; "" for a number
+std::string_view
+si_unit(Dimension dimension); //!< "m", "kg", "m/s", "s", "Pa", "rad", "kg/m3"; "" for a number
 std::string_view dimension_name(Dimension dimension); //!< "length", ...
 
 //! Value of \p text in SI, for example "6 mm" -> 0.006. Any unit that UDUNITS-2 knows will do: lb is a mass,

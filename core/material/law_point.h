@@ -7,7 +7,7 @@ namespace birdstrike {
 struct LawPoint
 {
   double pressure;    //!< compression positive [Pa]
-  double sound_speed; //!< sqrt(dp/drho) [m/s]
+  double sound_speed; //!< at constant entropy: c^2 = dp/drho|e + (p/rho^2) dp/de [m/s]
 };
 
 } // namespace birdstrike

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/error.h"
+#include "core/format_text.h"
 #include "core/material/law_point.h"
 
 #include <cmath>
@@ -29,9 +30,13 @@ struct Murnaghan
     const double power = std::pow(rho / rho0, g);
     return {B * (power - 1), std::sqrt(B * g * power / rho)};
   }
+  Murnaghan rescaled(double density) const { return {density, B, g}; }
   std::string describe() const
   {
-    return "Murnaghan, B = " + std::to_string(B / 1e6) + " MPa, exponent " + std::to_string(g);
+    return format_text(
+        "Murnaghan p = B [(rho/rho0)^g - 1], rho0 %.6g kg/m3, B %.6g MPa, g %.6g; for every density; "
+        "source: Murnaghan 1944",
+        rho0, B / 1e6, g);
   }
 };
 

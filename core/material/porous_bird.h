@@ -16,8 +16,8 @@ namespace birdstrike {
 //! Why the cubic: along the joined curves porous flesh has next to no stiffness until its air is gone and that of water
 //! a per cent of density later. Particles then meet like pebbles: against a plane wall at 150 m/s the first layers
 //! overshoot the Hugoniot pressure 2.9 (z = 0.3) and 3.4 times (z = 0.6) and the plateau ripples by 45 and 17 %. With
-//! the cubic it is 1.7 and 1.5 times, 5 and 6 %, at half of the steps, and its own Hugoniot pressure is within 7 % of
-//! 6.20's for z >= 0.1 and speeds of 150 to 200 m/s. Below z = 0.1, but for 0 itself, the cubic is a poor fit.
+//! the cubic it is 1.7 and 1.5 times, 5 and 6 %, at half of the steps, and its own Hugoniot pressure is close to
+//! 6.20's (impact_event.h has the figures).
 std::vector<std::string_view> porous_law_names();
 
 //! A law of the dissertation's chapter 6 for a mixture of water and air.

@@ -27,7 +27,21 @@ public:
   //! \throw InputError if p does not rise from node to node or p(1) is not 0
   Tabulated(double rho0, double x_max, const std::function<double(double)>& pressure, std::string name);
 
+  //! From rows of measured or published values, through each of which the curve goes. Between them it is the monotone
+  //! Hermite interpolant of Fritsch and Butland (SIAM J. Sci. Stat. Comput. 5 (1984) 300), resampled on intervals of
+  //! an eighth of the closest two rows.
+  //! \param density   N >= 4 values, strictly rising; the first is the reference density [kg/m3]
+  //! \param pressure  N values, strictly rising, the first is 0 [Pa]
+  //! \throw InputError naming the row (counted from 1) that breaks this, or rows too close for their range
+  Tabulated(const std::vector<double>& density, const std::vector<double>& pressure, std::string name);
+
   double reference_density() const { return rho0_; }
+  Tabulated rescaled(double density) const
+  {
+    Tabulated law = *this;
+    law.rho0_ = density;
+    return law;
+  }
 
   LawPoint at(double rho) const
   {
@@ -52,9 +66,12 @@ public:
     }
     return {p, std::sqrt(slope * per_unit_ / rho0_)};
   }
-  std::string describe() const { return name_; }
+  //! Its range is that of the table.
+  std::string describe() const;
 
 private:
+  void sample(std::size_t intervals, double x_max, const std::function<double(double)>& pressure);
+
   double rho0_;
   double per_unit_; //!< intervals per unit of x
   std::shared_ptr<const std::vector<double>>

@@ -15,8 +15,13 @@ namespace {
 
 std::vector<EquationOfState> samples()
 {
-  std::vector<EquationOfState> all{CubicPolynomial{938, 2.06e9, 6.19e9, 10.3e9}, Linear{950, 2.2e9},
-                                   Murnaghan{950, 128e6, 7.98}};
+  std::vector<EquationOfState> all{
+      CubicPolynomial{938, 2.06e9, 6.19e9, 10.3e9},
+      Linear{950, 2.2e9},
+      Murnaghan{950, 128e6, 7.98},
+      cubic_from_hugoniot(938, 1482.9, 2),
+      MieGrueneisen(998, {1480, 2.56, -1.986, 0.2286, 0.4934, 1.3937}),
+      Tabulated({950, 1000, 1050, 1200, 2000}, {0, 30e6, 200e6, 900e6, 9e9}, "rows")};
   for (const double z : {0.0, 0.1, 0.3, 0.4, 0.6, 0.8})
     for (const std::string_view name : porous_law_names())
       all.push_back(make_porous_law(std::string(name), z, porous_density(z)));
@@ -49,6 +54,8 @@ TEST_CASE("every kind of law has a sample", "[eos]")
 TEST_CASE("sound speed is the slope of pressure", "[eos][consistency]")
 {
   for (const EquationOfState& eos : samples()) {
+    if (depends_on_energy(eos))
+      continue; // the next test
     INFO(describe(eos));
     for (const double x : {1.0007, 1.02, 1.1003, 1.4, 1.9}) {
       const double rho = x * reference_density(eos), step = 1e-7 * rho;
@@ -58,6 +65,72 @@ TEST_CASE("sound speed is the slope of pressure", "[eos][consistency]")
       CHECK(c * c == Approx(slope).epsilon(2e-4));
     }
   }
+}
+
+TEST_CASE("with energy, sound speed is the slope of pressure along the isentrope", "[eos][consistency]")
+{
+  for (const EquationOfState& eos : samples()) {
+    INFO(describe(eos));
+    for (const double x : {1.0007, 1.02, 1.1003, 1.4, 1.9})
+      for (const double e : {0.0, 3e4, 4e5}) {
+        const double rho = x * reference_density(eos), step = 1e-6 * rho;
+        const LawPoint here = evaluate(eos, rho, e);
+        const double heat = step * here.pressure / (rho * rho);
+        const double slope =
+            (evaluate(eos, rho + step, e + heat).pressure - evaluate(eos, rho - step, e - heat).pressure) /
+            (2 * step);
+        CHECK(here.sound_speed * here.sound_speed == Approx(slope).epsilon(2e-3));
+        if (!depends_on_energy(eos))
+          CHECK(here.pressure == evaluate(eos, rho).pressure);
+      }
+    CHECK(evaluate(eos, 1.1 * reference_density(eos), 0).pressure ==
+          evaluate(eos, 1.1 * reference_density(eos)).pressure);
+  }
+}
+
+TEST_CASE("a rescaled law is the same function of the density ratio", "[eos]")
+{
+  for (const EquationOfState& eos : samples()) {
+    const EquationOfState lighter = rescaled(eos, 700);
+    CHECK(reference_density(lighter) == 700);
+    for (const double x : {0.97, 1.05, 1.6}) {
+      const double rho0 = reference_density(eos), e = 2e5;
+      INFO(describe(eos) << ", x = " << x);
+      CHECK(evaluate(lighter, 700 * x, e * rho0 / 700).pressure ==
+            Approx(evaluate(eos, rho0 * x, e).pressure).epsilon(1e-9));
+    }
+  }
+}
+
+TEST_CASE("every law states its range and its source or title", "[eos]")
+{
+  for (const EquationOfState& eos : samples()) {
+    const std::string text = describe(eos);
+    INFO(text);
+    CHECK_THAT(text, Catch::Contains("kg/m3"));
+    CHECK((text.find("up to") != std::string::npos || text.find("for ") != std::string::npos));
+  }
+  CHECK_THAT(describe(make_porous_law("impact-event", 0.4, 600)),
+             Catch::Contains("rms error") && Catch::Contains("up to 200 MPa"));
+}
+
+TEST_CASE("the cubic of a linear Hugoniot has the published coefficients", "[eos][reference]")
+{
+  const CubicPolynomial law = cubic_from_hugoniot(938, 1482.9, 2);
+  CHECK(law.C1 == Approx(2.06e9).epsilon(0.002));
+  CHECK(law.C2 == Approx(6.19e9).epsilon(0.001));
+  CHECK(law.C3 == Approx(10.3e9).epsilon(0.002));
+  CHECK_THROWS_AS(cubic_from_hugoniot(938, 0, 2), InputError);
+  CHECK_THROWS_AS(cubic_from_hugoniot(938, 1480, -1), InputError);
+}
+
+TEST_CASE("a cubic whose range ends before it turns goes on along its tangent", "[eos]")
+{
+  const CubicPolynomial law{1000, 1e9, 0, -1e9, 0.5}; // turns at mu = 0.577
+  law.check();
+  const double end = law.at(1500).pressure, c = law.at(1500).sound_speed;
+  CHECK(law.at(1800).pressure == Approx(end + 300 * c * c));
+  CHECK(law.at(1800).sound_speed == c);
 }
 
 TEST_CASE("pressure is zero at the reference density and rises with density", "[eos]")
@@ -135,7 +208,7 @@ TEST_CASE("without air the impact-event law is water of 6.9", "[eos][analytic]")
 
 TEST_CASE("the cubic fit rises throughout and says how far it is off", "[eos]")
 {
-  for (const double z : {0.0, 0.1, 0.2, 0.4, 0.6, 0.8}) {
+  for (const double z : {0.0, 0.02, 0.05, 0.1, 0.2, 0.4, 0.6, 0.8, 0.9}) {
     const CubicFit fit = impact_event_cubic(z, porous_density(z));
     CHECK(fit.law.is_monotonic());
     const Tabulated joined = impact_event_table(z, porous_density(z));
@@ -146,7 +219,21 @@ TEST_CASE("the cubic fit rises throughout and says how far it is off", "[eos]")
     }
     CHECK(largest == Approx(fit.largest_error).epsilon(0.1).margin(1e4));
   }
-  CHECK(impact_event_cubic(0, 1000).largest_error < 0.1e6);
+  CHECK(impact_event_cubic(0, 1000).largest_error < 0.2e6);
+}
+
+TEST_CASE("plane waves of the cubic are as strong as those of 6.20", "[eos][reference]")
+{
+  for (const double z : {0.0, 0.01, 0.03, 0.05, 0.08, 0.1, 0.15, 0.2, 0.4, 0.6, 0.8})
+    for (const double u : {100.0, 150.0, 200.0, 300.0}) {
+      INFO("z = " << z << ", u = " << u);
+      const double rho0 = porous_density(z);
+      const CubicPolynomial cubic = impact_event_cubic(z, rho0).law;
+      const auto fitted = [&](double rho) { return cubic.at(rho).pressure; };
+      const auto exact = [&](double rho) { return porous_water::shock_pressure(z, rho0 / rho); };
+      const double allowed = z <= 0.15 ? 0.04 : u < 150 ? 0.16 : 0.07;
+      CHECK(hugoniot_pressure(rho0, u, fitted) == Approx(hugoniot_pressure(rho0, u, exact)).epsilon(allowed));
+    }
 }
 
 TEST_CASE("laws refuse bad parameters by name", "[eos][errors]")
