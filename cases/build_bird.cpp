@@ -182,7 +182,8 @@ BuiltBird finish_bird(const Case& parsed, const Fill& fill, const std::string& p
     rotate(seeds, {.pitch = wish.impact_angle - 0.5 * std::numbers::pi});
   move_in_front(seeds, wish.gap + 0.5 * wish.spacing); // the foremost particle's face, not its middle
   aim_at_centre(seeds, parts, direction);
-  bird.particles = make_particles(parts, seeds, wish.spacing, wish.velocity * direction, wish.smoothing);
+  bird.particles =
+      make_particles(parts, seeds, wish.spacing, wish.velocity * direction, wish.smoothing, fill.lattice);
   if (!is_column(parsed))
     fix_mass(bird.particles, wish.mass);
 

@@ -18,19 +18,6 @@ bool is_bare(const std::string& name)
   });
 }
 
-//! Names that the '*' of "bird.parts.*" or "eos.*" stands for.
-std::vector<std::string> names_of(const Case& values, const std::string& prefix)
-{
-  std::vector<std::string> names;
-  if (prefix == "eos.")
-    for (const LawCase& law : values.laws)
-      names.push_back(law.name);
-  else
-    for (const PartCase& part : values.bird.parts)
-      names.push_back(part.name);
-  return names;
-}
-
 } // namespace
 
 std::string to_toml(const Case& parsed)

@@ -47,7 +47,7 @@ struct Settings
 {
   double end_time = 0;  //!< [s]
   int frames = 60;      //!< states handed to the observer after the one at t = 0, at equal intervals
-  double courant = 0.6; //!< share of the stability limit of time_step.h [-]
+  double courant = 0.5; //!< share of the stability limit of time_step.h [-]
   Viscosity viscosity;
   double tension_cutoff = 0; //!< lowest pressure that a particle can carry, <= 0 [Pa]
   double smoothing_shrink =

@@ -68,7 +68,7 @@ struct Simulation::State
   Rates rates;
   SphRates sph;
   Neighbours neighbours;
-  std::vector<double> trial_vx, trial_vy, trial_vz, trial_density;
+  std::vector<double> trial_vx, trial_vy, trial_vz, trial_density, trial_energy;
 
   History history;
   TransducerGauges transducers;
@@ -104,7 +104,7 @@ struct Simulation::State
 void Simulation::State::start()
 {
   rates.resize(particles.size());
-  for (auto* array : {&trial_vx, &trial_vy, &trial_vz, &trial_density})
+  for (auto* array : {&trial_vx, &trial_vy, &trial_vz, &trial_density, &trial_energy})
     array->resize(particles.size());
   ledger.mass = total_mass(particles);
   ledger.initial_momentum = total_momentum(particles);
@@ -149,8 +149,8 @@ void Simulation::State::kick(double dt)
     book_impulse(*plate, dt);
 }
 
-//! Velocity, density and with it h as they will be at the end of a step, to first order: what the rates there need.
-//! Velocities have been taken through the first half of \p dt already, densities not.
+//! Velocity, density, energy and h as they will be at the end of a step, to first order: what the rates there need.
+//! Velocities and energies have been taken through the first half of \p dt already, densities not.
 void Simulation::State::predict(double dt)
 {
   const Stopwatch watch{shares.particles};
@@ -162,6 +162,7 @@ void Simulation::State::predict(double dt)
     trial_vy[i] = p.vy[i] + 0.5 * dt * rates.ay[i];
     trial_vz[i] = p.vz[i] + 0.5 * dt * rates.az[i];
     trial_density[i] = std::max(p.density[i] + dt * rates.density[i], least * p.density[i]);
+    trial_energy[i] = p.energy[i] + 0.5 * dt * rates.viscous[i]; // less the work of the pressure at the end
     p.smoothing_length[i] =
         smoothing_length(p.initial_smoothing, reference_density(p.parts[p.part[i]].eos), trial_density[i],
                          settings.smoothing_shrink, settings.smoothing_growth);
@@ -182,7 +183,7 @@ void Simulation::State::refresh_neighbours()
   reorder(particles, order);
   rates.reorder(order);
   std::vector<double> scratch;
-  for (auto* array : {&trial_vx, &trial_vy, &trial_vz, &trial_density})
+  for (auto* array : {&trial_vx, &trial_vy, &trial_vz, &trial_density, &trial_energy})
     reorder(*array, order, scratch);
   neighbours.build(particles);
 }
@@ -191,7 +192,7 @@ void Simulation::State::evaluate_rates()
 {
   {
     const Stopwatch watch{shares.particles};
-    sph.evaluate(particles, trial_vx, trial_vy, trial_vz, trial_density, neighbours, rates);
+    sph.evaluate(particles, trial_vx, trial_vy, trial_vz, trial_density, trial_energy, neighbours, rates);
     particles.density = rates.summed_density;
     require_finite(particles, rates, time);
   }

@@ -23,6 +23,7 @@ struct Fill
   std::vector<Seed> seeds;       //!< seed.part is a row of parts
   std::vector<FilledPart> parts; //!< only parts with a solid in the mesh, in the order of first appearance
   double spacing = 0;            //!< [m]
+  Lattice lattice;               //!< that the seeds lie on
 };
 
 //! Particles on a simple cubic lattice along x, y, z inside the mesh's solids. Where solids overlap, the one

@@ -24,29 +24,31 @@ double squared_radius(std::string_view shape, const ShapeSize& size, double x)
 }
 
 //! Cells of one layer whose middles lie within \p radius2 of the axis.
-void fill_disc(double x, double radius2, double offset, double spacing, std::vector<Seed>& seeds)
+//! \param shift  of the layer, in spacings
+void fill_disc(double x, double radius2, double shift_y, double shift_z, double spacing,
+               std::vector<Seed>& seeds)
 {
   if (radius2 < 0)
     return;
-  const long most = static_cast<long>(std::sqrt(radius2) / spacing) + 1;
+  const long most = static_cast<long>(std::sqrt(radius2) / spacing) + 2;
   for (long j = -most; j <= most; ++j)
     for (long k = -most; k <= most; ++k) {
-      const double y = (double(j) + offset) * spacing, z = (double(k) + offset) * spacing;
+      const double y = (double(j) + shift_y) * spacing, z = (double(k) + shift_z) * spacing;
       if (y * y + z * z <= radius2)
         seeds.push_back({{x, y, z}, 0});
     }
 }
 
 //! \param layers  of the lattice along x, centred
-std::vector<Seed> fill_layers(std::string_view shape, const ShapeSize& size, double spacing, long layers,
-                              double offset)
+std::vector<Seed> fill_layers(std::string_view shape, const ShapeSize& size, double spacing, long layers)
 {
   std::vector<Seed> seeds;
   for (long i = 0; i < layers; ++i) {
     const double x = (double(i) - 0.5 * double(layers - 1)) * spacing;
+    const double y = double(i) * leaning_lattice.shift_y, z = double(i) * leaning_lattice.shift_z;
     const double radius2 =
         shape == "cylinder" ? 0.25 * size.diameter * size.diameter : squared_radius(shape, size, x);
-    fill_disc(x, radius2, offset, spacing, seeds);
+    fill_disc(x, radius2, y - std::floor(y), z - std::floor(z), spacing, seeds);
   }
   return seeds;
 }
@@ -61,16 +63,16 @@ Fill fill_shape(std::string_view shape, const ShapeSize& size, double spacing, c
 
   Fill fill;
   fill.spacing = spacing;
+  fill.lattice = leaning_lattice;
   const auto error = [&](const std::vector<Seed>& seeds) {
     return std::abs(double(seeds.size()) * cell / volume - 1);
   };
   const long whole = std::max(1l, static_cast<long>(size.length / spacing));
-  for (const long layers : {whole, whole + 1})
-    for (const double offset : {0.5, 0.0}) {
-      std::vector<Seed> seeds = fill_layers(shape, size, spacing, layers, offset);
-      if (fill.seeds.empty() || error(seeds) < error(fill.seeds))
-        fill.seeds = std::move(seeds);
-    }
+  for (const long layers : {whole, whole + 1}) {
+    std::vector<Seed> seeds = fill_layers(shape, size, spacing, layers);
+    if (fill.seeds.empty() || error(seeds) < error(fill.seeds))
+      fill.seeds = std::move(seeds);
+  }
   if (std::min(size.diameter, size.length) < fewest_across * spacing || error(fill.seeds) > 0.25) {
     char text[300];
     std::snprintf(text, sizeof text,

@@ -12,10 +12,9 @@
 
 namespace birdstrike {
 
-//! Particles of one part on a simple cubic lattice inside a shape of shape_names(), whose axis is the x axis and whose
-//! middle is the origin. The lattice lies evenly about both: the axis runs through the middle of a cell or between four,
-//! and so does the middle; of these, the one that meets the shape's volume best. The ends of a cylinder are faces of
-//! cells, at the whole number of layers that meets the volume best.
+//! Particles of one part on leaning_lattice inside a shape of shape_names(), whose axis is the x axis and whose middle is
+//! the origin. Layers lie across the axis, evenly about the middle, as many as meet the shape's volume best; so the ends
+//! of a cylinder are whole layers.
 //! \param part     name of the only part
 //! \param spacing  lattice spacing [m]
 //! \throw InputError as shape_volume; if the spacing is not positive or so coarse that fewer than 4 cells lie across the shape,

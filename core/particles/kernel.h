@@ -24,15 +24,32 @@ inline double kernel_slope(double r, double h)
   return scale * (q < 1 ? -3 + 2.25 * q : -0.75 * (2 - q) * (2 - q) / q);
 }
 
-//! sum V W over a simple cubic lattice with h = \p smoothing spacings; 1 but for the error of the sum [-].
-inline double lattice_sum(double smoothing)
+//! Square layers, stacked along the flight direction at equal spacing, each shifted sideways against the one before it.
+struct Lattice
+{
+  double shift_y = 0, shift_z = 0; //!< in spacings; both 0: simple cubic
+};
+
+//! Simple cubic, as CAD birds are filled.
+inline constexpr Lattice cubic_lattice{};
+//! No row of particles points along the flight. Where a jet meets a plate, particles of a row that aims at the point of
+//! stagnation are squeezed together along it while the rows draw apart, until they no longer feel each other: the
+//! pressure on the axis stays up to a fifth too high for half of the impact. Rows that lean give way. The shifts are
+//! 2 - the golden ratio, and one that keeps the counted density of layers pressed together by 0 ... 12 % within 0.12 %.
+inline constexpr Lattice leaning_lattice{0.382, 0.173};
+
+//! sum V W over a lattice with h = \p smoothing spacings; 1 but for the error of the sum [-].
+inline double lattice_sum(double smoothing, const Lattice& lattice = cubic_lattice)
 {
   const int reach = static_cast<int>(std::ceil(2 * smoothing));
   double sum = 0;
-  for (int i = -reach; i <= reach; ++i)
-    for (int j = -reach; j <= reach; ++j)
-      for (int k = -reach; k <= reach; ++k)
-        sum += kernel(std::sqrt(static_cast<double>(i * i + j * j + k * k)), smoothing);
+  for (int i = -reach; i <= reach; ++i) {
+    const double y = i * lattice.shift_y - std::round(i * lattice.shift_y),
+                 z = i * lattice.shift_z - std::round(i * lattice.shift_z);
+    for (int j = -reach - 1; j <= reach + 1; ++j)
+      for (int k = -reach - 1; k <= reach + 1; ++k)
+        sum += kernel(std::sqrt(i * i + (j + y) * (j + y) + (k + z) * (k + z)), smoothing);
+  }
   return sum;
 }
 

@@ -26,7 +26,7 @@ std::vector<std::int32_t> Particles::row_of_id() const
 }
 
 Particles make_particles(std::vector<Part> parts, const std::vector<Seed>& seeds, double spacing,
-                         const Vector3& velocity, double smoothing)
+                         const Vector3& velocity, double smoothing, const Lattice& lattice)
 {
   require(!seeds.empty(), "the bird has no particles");
   require(spacing > 0, "the particle spacing must be positive");
@@ -36,6 +36,7 @@ Particles make_particles(std::vector<Part> parts, const std::vector<Seed>& seeds
   p.parts = std::move(parts);
   p.spacing = spacing;
   p.initial_smoothing = smoothing * spacing;
+  p.lattice = lattice;
   p.resize(seeds.size());
   std::iota(p.id.begin(), p.id.end(), 0);
   std::vector<bool> filled(p.parts.size(), false);

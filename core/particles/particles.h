@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/material/equation_of_state.h"
+#include "core/particles/kernel.h"
 #include "core/types.h"
 
 #include <cstdint>
@@ -26,6 +27,7 @@ struct Particles
   std::vector<Part> parts;
   double spacing = 0;           //!< of the lattice that the particles started on [m]
   double initial_smoothing = 0; //!< h at the reference density [m]
+  Lattice lattice;              //!< that they started on
 
   std::vector<double> x, y, z;          //!< position [m]
   std::vector<double> vx, vy, vz;       //!< velocity [m/s]
@@ -61,9 +63,10 @@ struct Seed
 //! \param spacing        lattice spacing; each particle stands for spacing^3 of volume [m]
 //! \param velocity       initial velocity of all particles [m/s]
 //! \param smoothing      h over spacing [-]
+//! \param lattice        that the seeds lie on
 //! \throw InputError if there is no seed, or a seed names a part that is not there
 Particles make_particles(std::vector<Part> parts, const std::vector<Seed>& seeds, double spacing,
-                         const Vector3& velocity, double smoothing);
+                         const Vector3& velocity, double smoothing, const Lattice& lattice = cubic_lattice);
 
 double total_mass(const Particles& particles);      //!< [kg]
 Vector3 total_momentum(const Particles& particles); //!< [kg m/s]

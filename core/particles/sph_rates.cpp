@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/particles/sph_rates.h"
 
+#include "core/material/energy_step.h"
 #include "core/parallel.h"
 #include "core/particles/artificial_viscosity.h"
 #include "core/particles/kernel.h"
@@ -47,7 +48,8 @@ SphRates::SphRates(const Settings& settings, const RigidPlate* plate, const Pair
 }
 
 void SphRates::prepare(Particles& p, const std::vector<double>& vx, const std::vector<double>& vy,
-                       const std::vector<double>& vz, const std::vector<double>& density, const Rates& rates)
+                       const std::vector<double>& vz, const std::vector<double>& density,
+                       const std::vector<double>& energy, const Rates& rates)
 {
   const std::size_t n = p.size(), size = n + padding;
   if (x_.size() != size) {
@@ -65,10 +67,18 @@ void SphRates::prepare(Particles& p, const std::vector<double>& vx, const std::v
   const Viscosity& viscosity = settings_.viscosity;
   const bool bulk = viscosity.kind == ViscosityKind::bulk;
   const double cell = p.spacing * p.spacing * p.spacing;
-  const double lattice = lattice_sum(p.initial_smoothing / p.spacing);
+  const double lattice = lattice_sum(p.initial_smoothing / p.spacing, p.lattice);
   for_each_row(n, [&](std::size_t i) {
     const EquationOfState& eos = p.parts[p.part[i]].eos;
-    const LawPoint point = birdstrike::evaluate(eos, density[i]);
+    // Pressure and energy need each other: 5.54 or 5.55, with the work of the old pressure done already.
+    const double e = depends_on_energy(eos) ? energy_step(eos, {.energy = energy[i],
+                                                                .pressure = 0,
+                                                                .old_volume = 1 / p.density[i],
+                                                                .new_volume = 1 / density[i],
+                                                                .lowest_pressure = settings_.tension_cutoff})
+                                                  .energy
+                                            : 0;
+    const LawPoint point = birdstrike::evaluate(eos, density[i], e);
     const double rho0 = reference_density(eos), x = density[i] / rho0;
     p.pressure[i] = std::max(point.pressure, settings_.tension_cutoff);
     p.sound_speed[i] = point.sound_speed;
@@ -126,9 +136,9 @@ void SphRates::finish(const Particles& p, Rates& r)
 
 void SphRates::evaluate(Particles& p, const std::vector<double>& vx, const std::vector<double>& vy,
                         const std::vector<double>& vz, const std::vector<double>& density,
-                        const Neighbours& neighbours, Rates& rates)
+                        const std::vector<double>& energy, const Neighbours& neighbours, Rates& rates)
 {
-  prepare(p, vx, vy, vz, density, rates);
+  prepare(p, vx, vy, vz, density, energy, rates);
 
   const PairInput in{x_.data(),
                      y_.data(),

@@ -62,10 +62,12 @@ public:
   //! Pressure and sound speed of \p particles from their density, then \p rates.
   //! \param particles  positions and smoothing lengths at the time of the rates; pressure, sound speed are set
   //! \param vx,vy,vz   velocity at the same time, N entries each [m/s]
-  //! \param density    at the same time [kg/m3]
+  //! \param density    at the same time [kg/m3]; that of \p particles is the one at the end of the step before
+  //! \param energy     specific internal energy at the same time, but for the half of the pressure's work over this step
+  //!                   that its new value does, e' of 5.52; matters to laws with energy only [J/kg]
   void evaluate(Particles& particles, const std::vector<double>& vx, const std::vector<double>& vy,
                 const std::vector<double>& vz, const std::vector<double>& density,
-                const Neighbours& neighbours, Rates& rates);
+                const std::vector<double>& energy, const Neighbours& neighbours, Rates& rates);
 
 private:
   const PairKernels& kernels_;
@@ -76,7 +78,8 @@ private:
   std::vector<double> fx_, fy_, fz_, gradient_[9], number_, heating_, mu_, wall_;
 
   void prepare(Particles& particles, const std::vector<double>& vx, const std::vector<double>& vy,
-               const std::vector<double>& vz, const std::vector<double>& density, const Rates& rates);
+               const std::vector<double>& vz, const std::vector<double>& density,
+               const std::vector<double>& energy, const Rates& rates);
   void finish(const Particles& particles, Rates& rates);
 };
 

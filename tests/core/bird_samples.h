@@ -24,6 +24,15 @@ inline Particles block(int nx, int ny, int nz, double spacing, double porosity =
   return make_particles({flesh}, seeds, spacing, velocity, 1.25);
 }
 
+//! Where the particles of \p p are, to make others there.
+inline std::vector<Seed> seeds_of(const Particles& p)
+{
+  std::vector<Seed> seeds;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    seeds.push_back({p.position(i), p.part[i]});
+  return seeds;
+}
+
 //! The same with positions and velocities shaken: nothing about it is symmetric.
 inline Particles shaken_block(int n, double spacing, unsigned seed, double porosity = 0)
 {
@@ -56,8 +65,8 @@ inline Rates rates_of(Particles& p, const Settings& settings, const RigidPlate* 
   reorder(p, std::vector<std::int32_t>(neighbours.sort(p)));
   neighbours.build(p);
   SphRates sph(settings, plate, kernels);
-  sph.evaluate(p, p.vx, p.vy, p.vz, p.density, neighbours, rates);
-  sph.evaluate(p, p.vx, p.vy, p.vz, p.density, neighbours, rates);
+  sph.evaluate(p, p.vx, p.vy, p.vz, p.density, p.energy, neighbours, rates);
+  sph.evaluate(p, p.vx, p.vy, p.vz, p.density, p.energy, neighbours, rates);
   return rates;
 }
 

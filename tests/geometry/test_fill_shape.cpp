@@ -9,7 +9,7 @@
 using namespace birdstrike;
 using Catch::Contains;
 
-TEST_CASE("every shape keeps its volume and is even about its middle", "[geometry][fill]")
+TEST_CASE("every shape keeps its volume and its middle", "[geometry][fill]")
 {
   for (const auto& [name, aspect] :
        {std::pair{"cylinder", 2.0}, {"capsule", 2.0}, {"sphere", 1.0}, {"spheroid", 2.0}, {"cylinder", 1.37}})
@@ -33,11 +33,12 @@ TEST_CASE("every shape keeps its volume and is even about its middle", "[geometr
         high = high.cwiseMax(seed.position);
         CHECK(seed.position.tail<2>().norm() <= 0.5 * size.diameter);
       }
-      CHECK(sum.norm() / double(fill.seeds.size()) < 1e-12);
-      CHECK((low + high).norm() < 1e-12);
+      CHECK(sum.norm() / double(fill.seeds.size()) < 0.1 * spacing);
+      CHECK(std::abs(low.x() + high.x()) < 1e-12);
+      CHECK((low + high).norm() < 2 * spacing);
       CHECK(std::abs(high.x() + 0.5 * spacing - 0.5 * size.length) < 0.75 * spacing);
     }
-    CHECK(last < 0.005);
+    CHECK(last < 0.006);
   }
 }
 
@@ -51,8 +52,26 @@ TEST_CASE("a cylinder's front is one whole layer", "[geometry][fill]")
     return std::count_if(fill.seeds.begin(), fill.seeds.end(),
                          [x](const Seed& seed) { return std::abs(seed.position.x() - x) < 1e-9; });
   };
-  CHECK(in_layer(front) == in_layer(front - 0.004));
-  CHECK(in_layer(front) > 300); // pi 10^2 cells
+  CHECK(std::abs(in_layer(front) - in_layer(front - 0.004)) < 8); // which lies elsewhere about the axis
+  CHECK(in_layer(front) > 300);                                   // pi 10^2 cells
+}
+
+TEST_CASE("each particle of a shape counts the density of the leaning lattice", "[geometry][fill][analytic]")
+{
+  const double spacing = 0.004, h = 1.28;
+  const Fill fill = fill_shape("sphere", {0.05, 0.05}, spacing, "body");
+  int inner = 0;
+  for (const Seed& i : fill.seeds) {
+    if (i.position.norm() > 0.025 - 2.6 * spacing)
+      continue;
+    double sum = 0;
+    for (const Seed& j : fill.seeds)
+      sum += kernel((i.position - j.position).norm() / spacing, h);
+    CHECK(sum == Approx(lattice_sum(h, fill.lattice)).epsilon(1e-12));
+    ++inner;
+  }
+  CHECK(inner > 100);
+  CHECK(lattice_sum(h, fill.lattice) != Approx(lattice_sum(h)).epsilon(1e-4));
 }
 
 TEST_CASE("a column stacks its parts from the plate on", "[geometry][fill]")
