@@ -35,6 +35,12 @@ std::vector<std::string> flight_warnings(const Particles& bird, const RigidPlate
                     "run.end for the whole impact",
                     1e3 * settings.end_time, -nose / speed > settings.end_time ? "nose" : "tail",
                     1e3 * (-nose / speed > settings.end_time ? -nose : -tail) / speed));
+  if (settings.tension_cutoff < 0)
+    warnings.push_back(
+        fmt::format("run.tension_cutoff = {:g} Pa lets the bird's surface pull: particles there count too "
+                    "few neighbours, "
+                    "which reads as tension, and the bird contracts in free flight; 0 has no such skin",
+                    settings.tension_cutoff));
   if (-nose < bird.initial_smoothing)
     warnings.push_back(
         fmt::format("the bird starts within {:.3g} mm of the plate, the reach of its particles at this "

@@ -112,10 +112,11 @@ const EquationOfState& hardest_law(const std::vector<Part>& parts, double speed)
       ->eos;
 }
 
-//! What transducers and, in a column, the plate tell.
+//! Time of contact, and what transducers and, in a column, the plate tell.
 void evaluate_gauges(const Case& parsed, const Simulation& run, const Flight& flight, RunFacts& facts)
 {
   const std::vector<Part>& parts = run.particles().parts;
+  facts.contact_time = flight.contact_time();
   if (!parsed.transducers.empty())
     facts.transducers = report_transducers(run.transducer_history(), parsed, flight,
                                            hardest_law(parts, flight.normal_speed()));

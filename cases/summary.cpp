@@ -22,9 +22,9 @@ struct Peak
 };
 
 //! Largest value of every column max_pressure_<name>, and when.
-std::vector<Peak> peaks(const History& history)
+//! \param prefix  of the columns, before the name of the part
+std::vector<Peak> peaks(const History& history, std::string_view prefix = "max_pressure_")
 {
-  constexpr std::string_view prefix = "max_pressure_";
   std::vector<Peak> result;
   for (std::size_t column = 0; column < history.columns.size(); ++column) {
     if (!history.columns[column].name.starts_with(prefix))
@@ -112,15 +112,19 @@ std::string summary_json(const Simulation& run, const RunFacts& facts)
   const double normal_momentum = ledger.initial_momentum[0];
   json["impulse_over_normal_momentum"] = normal_momentum > 0 ? ledger.impulse[0] / normal_momentum : 0;
   json["impulse_error"] = momentum > 0 ? (lost - ledger.impulse).norm() / momentum : 0;
-  if (run.first_contact())
-    json["contact_time"] = *run.first_contact();
-  else
-    json["contact_time"] = nullptr;
+  json["contact_time"] = nullptr;
+  json["first_force_time"] = nullptr;
+  if (run.first_contact()) {
+    json["contact_time"] = facts.contact_time;
+    json["first_force_time"] = *run.first_contact();
+  }
   json["energy"] = {{"initial", ledger.initial_energy},
                     {"final", ledger.total_energy()},
                     {"balance_error", ledger.balance_error()}};
   for (const Peak& peak : peaks(run.history()))
     json["peak_pressure"][peak.name] = {{"value", peak.value}, {"time", peak.time}};
+  for (const Peak& peak : peaks(run.history(), "max_mean_pressure_"))
+    json["peak_mean_pressure"][peak.name] = {{"value", peak.value}, {"time", peak.time}};
   json["peak_contact_force"] = largest(run.history(), "contact_force_x");
   json["target"] = {{"max_deflection", 0.0},
                     {"max_deflection_time", 0.0},
@@ -166,7 +170,7 @@ std::string summary_table(const Simulation& run, const RunFacts& facts)
   };
   row("wall time", fmt::format("{:.1f} s, {:.2f} million particle updates per second", facts.wall_seconds,
                                1e-6 * updates_per_second(run)));
-  row("first contact", run.first_contact() ? fmt::format("{:.4f} ms", 1e3 * *run.first_contact()) : "none");
+  row("first contact", run.first_contact() ? fmt::format("{:.4f} ms", 1e3 * facts.contact_time) : "none");
   row("impulse", fmt::format("{:.2f} N s, {:.4f} of the bird's momentum", ledger.impulse.norm(),
                              momentum > 0 ? ledger.impulse.norm() / momentum : 0));
   row("largest force", fmt::format("{:.1f} kN", 1e-3 * largest(run.history(), "contact_force_x")));

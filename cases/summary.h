@@ -17,6 +17,7 @@ class Simulation;
 struct RunFacts
 {
   double density_factor = 1;
+  double contact_time = 0; //!< by geometry [s]
   std::uintmax_t series_bytes = 0;
   double figure_seconds = 0;
   double wall_seconds = 0; //!< of the whole command so far

@@ -28,6 +28,8 @@ inline constexpr std::array particle_fields{
     [](const Particles& p, std::size_t i, int k) { return k == 0 ? p.vx[i] : k == 1 ? p.vy[i] : p.vz[i]; }},
   Field<Particles>{"pressure", 1, "Pa", "from the equation of state and the density carried to this time, compression positive",
     [](const Particles& p, std::size_t i, int) { return p.pressure[i]; }},
+  Field<Particles>{"mean_pressure", 1, "Pa", "kernel mean of the pressures around, without the noise of single particles",
+    [](const Particles& p, std::size_t i, int) { return p.mean_pressure[i]; }},
   Field<Particles>{"density", 1, "kg/m3", "counted from the neighbours, 4.5; less than the material's at a free surface",
     [](const Particles& p, std::size_t i, int) { return p.density[i]; }},
   Field<Particles>{"internal_energy", 1, "J/kg", "specific internal energy, viscous heat included",

@@ -35,6 +35,9 @@ struct Stopwatch
 
 void check(const Settings& s, const Particles& p, const RigidPlate* plate)
 {
+  for (const double value : {s.end_time, s.courant, s.viscosity.linear, s.viscosity.quadratic,
+                             s.tension_cutoff, s.smoothing_shrink, s.smoothing_growth})
+    require(std::isfinite(value), "every setting of the run must be a finite number");
   require(s.end_time > 0, "run.end must be positive");
   require(s.frames > 0, "run.frames must be at least 1");
   require(s.courant > 0 && s.courant <= 1, "run.courant must lie above 0 and not above 1");

@@ -13,7 +13,7 @@
 
 namespace birdstrike {
 
-//! Spread the particles' wall forces over the elements below them.
+//! Spread the particles' wall forces over the elements below them, each over a square of one spacing.
 //! \return total force of the bird on the plate [N]
 Vector3 collect_contact_force(const Particles& particles, const Rates& rates, RigidPlate& plate);
 

@@ -41,7 +41,7 @@ void reorder(Particles& p, const std::vector<std::int32_t>& order)
 {
   std::vector<double> numbers;
   for (auto* array : {&p.x, &p.y, &p.z, &p.vx, &p.vy, &p.vz, &p.mass, &p.density, &p.energy, &p.pressure,
-                      &p.sound_speed, &p.smoothing_length})
+                      &p.mean_pressure, &p.sound_speed, &p.smoothing_length})
     reorder(*array, order, numbers);
   std::vector<std::uint8_t> parts;
   reorder(p.part, order, parts);

@@ -14,7 +14,7 @@ namespace {
 template <class Number>
 struct Side
 {
-  Number x, y, z, vx, vy, vz, h, weight, stress, sound_speed, inertia, limiter;
+  Number x, y, z, vx, vy, vz, h, weight, stress, sound_speed, inertia, rest_density, limiter;
   Number strain_rate[6];
 };
 
@@ -31,6 +31,7 @@ struct Side
           load(in.stress + row),
           load(in.sound_speed + row),
           load(in.inertia + row),
+          load(in.rest_density + row),
           load(in.limiter + row),
           {load(in.strain_rate[0] + row), load(in.strain_rate[1] + row), load(in.strain_rate[2] + row),
            load(in.strain_rate[3] + row), load(in.strain_rate[4] + row), load(in.strain_rate[5] + row)}};
@@ -38,7 +39,7 @@ struct Side
 
 struct Sums
 {
-  Pack fx{}, fy{}, fz{}, gradient[9]{}, number{}, heating{}, mu{}, wall{};
+  Pack fx{}, fy{}, fz{}, gradient[9]{}, number{}, pressure{}, work{}, heating{}, mu{}, wall{};
 };
 
 //! The part of v_ij.d that the velocity gradients on both sides explain: twice the harmonic mean's half of d.G d, zero
@@ -70,11 +71,12 @@ template <bool mirrored, bool limited>
   const Pack h = 0.5 * (i.h + in.h[j]);
   const Pack r2 = dx * dx + dy * dy + dz * dz;
   const Pack r = max(sqrt(r2), 1e-9 * h);
-  // Their inverses, and that of a third number, from one division.
+  // Their inverses, and those of two more numbers, from one division.
   const Pack third = limited ? i.inertia + in.inertia[j] : r2 + 0.01 * h * h;
-  const Pack inverse = 1.0 / (h * r * third);
-  const Pack inverse_h = inverse * r * third, inverse_r = inverse * h * third,
-             inverse_third = inverse * h * r;
+  const Pack fourth = i.rest_density + in.rest_density[j];
+  const Pack hr = h * r, last = third * fourth, inverse = 1.0 / (hr * last);
+  const Pack inverse_h = inverse * r * last, inverse_r = inverse * h * last,
+             inverse_third = inverse * hr * fourth, inverse_fourth = inverse * hr * third;
 
   // (1/r) dW/dr of 4.13 in truncated powers: -3/4 [(2-q)^2 - 4 (1-q)^2] / (pi h^4 r)
   const Pack q = r * inverse_h;
@@ -87,7 +89,8 @@ template <bool mirrored, bool limited>
     value *= open;
   }
 
-  const Pack approach = min(dx * vx + dy * vy + dz * vz, zero); // v_ij.d
+  const Pack closing = dx * vx + dy * vy + dz * vz; // v_ij.d
+  const Pack approach = min(closing, zero);
   const Pack sound_speed = 0.5 * (i.sound_speed + in.sound_speed[j]);
   Pack speed, viscosity; // U or |mu|, and Q of artificial_viscosity.h
   if constexpr (limited) {
@@ -103,9 +106,14 @@ template <bool mirrored, bool limited>
   }
 
   const double weight = in.weight[j];
-  sum.number += (weight / std::numbers::pi) * value;
+  const Pack counted = (weight / std::numbers::pi) * value;
+  sum.number += counted;
+  sum.pressure += counted * in.pressure[j];
   const Pack k = weight * slope;
-  const Pack push = -k * (i.stress + in.stress[j] + viscosity);
+  const Pack share_i = 2.0 * in.rest_density[j] * inverse_fourth,
+             share_j = 2.0 * i.rest_density * inverse_fourth;
+  const Pack push = -k * (share_i * i.stress + share_j * in.stress[j] + viscosity);
+  sum.work += share_i * k * closing;
   sum.fx += push * dx;
   sum.fy += push * dy;
   sum.fz += push * dz;
@@ -213,6 +221,8 @@ void rates_of(const Cluster& cluster, int row, int count, const std::int32_t* al
   for (int c = 0; c < 9; ++c)
     store(out.gradient[c] + row, sum.gradient[c], count);
   store(out.number + row, sum.number, count);
+  store(out.pressure + row, sum.pressure, count);
+  store(out.work + row, sum.work, count);
   store(out.heating + row, sum.heating, count);
   store(out.mu + row, sum.mu, count);
   store(out.wall + row, sum.wall, count);

@@ -36,9 +36,11 @@ struct PairInput
   const double *x, *y, *z, *vx, *vy, *vz; //!< [m], [m/s]
   const double* h;                        //!< smoothing length [m]
   const double* weight;                   //!< V = m / rho0 over the lattice's sum V W [m3]
+  const double* pressure;                 //!< [Pa]
   const double* stress;                   //!< (p + q) / x^2, x = rho / rho0 [Pa]
   const double* sound_speed;              //!< [m/s]
   const double* inertia;                  //!< rho / x^2, what stands in Q_ij for the density [kg/m3]
+  const double* rest_density;             //!< rho0 [kg/m3]
   const double* limiter;                  //!< f of artificial_viscosity.h [-]
   const double* strain_rate[6]; //!< xx, yy, zz, and the sums xy + yx, xz + zx, yz + zy of grad v [1/s]
 };
@@ -46,13 +48,15 @@ struct PairInput
 //! Sums over partners, N + 8 entries each.
 struct PairOutput
 {
-  double *fx, *fy, *fz; //!< rho0 dv/dt: - sum V_j (stress_i + stress_j + Q_ij) grad_i W_ij [N/m3]
+  double *fx, *fy, *fz; //!< rho0 dv/dt: - sum V_j (a_ij stress_i + a_ji stress_j + Q_ij) grad_i W_ij [N/m3]
   double*
-      gradient[9]; //!< row-major: sum V_j (v_j - v_i) (x) grad_i W_ij, x times the velocity gradient [1/s]
-  double* number;  //!< sum V_j W_ij, the compression [-]
-  double* heating; //!< rho0 times the viscous heating [W/m3]
-  double* mu;      //!< largest |mu_ij| or U_ij [m/s]
-  double* wall;    //!< share of fx that came from mirror images [N/m3]
+      gradient[9];  //!< row-major: sum V_j (v_j - v_i) (x) grad_i W_ij, x times the velocity gradient [1/s]
+  double* number;   //!< sum V_j W_ij, the compression [-]
+  double* pressure; //!< sum V_j p_j W_ij [Pa]
+  double* work;     //!< sum V_j a_ij (v_i - v_j) . grad_i W_ij, a_ij = 2 rho0_j / (rho0_i + rho0_j) [1/s]
+  double* heating;  //!< rho0 times the viscous heating [W/m3]
+  double* mu;       //!< largest |mu_ij| or U_ij [m/s]
+  double* wall;     //!< share of fx that came from mirror images [N/m3]
 };
 
 //! A rigid plate in x = 0, |y| <= half_y, |z| <= half_z, that mirrors what stands in front of it (x < 0).

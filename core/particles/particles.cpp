@@ -10,8 +10,8 @@ namespace birdstrike {
 
 void Particles::resize(std::size_t count)
 {
-  for (auto* array :
-       {&x, &y, &z, &vx, &vy, &vz, &mass, &density, &energy, &pressure, &sound_speed, &smoothing_length})
+  for (auto* array : {&x, &y, &z, &vx, &vy, &vz, &mass, &density, &energy, &pressure, &mean_pressure,
+                      &sound_speed, &smoothing_length})
     array->resize(count);
   part.resize(count);
   id.resize(count);

@@ -29,12 +29,15 @@ struct Particles
   double initial_smoothing = 0; //!< h at the reference density [m]
   Lattice lattice;              //!< that they started on
 
-  std::vector<double> x, y, z;          //!< position [m]
-  std::vector<double> vx, vy, vz;       //!< velocity [m/s]
-  std::vector<double> mass;             //!< [kg]
-  std::vector<double> density;          //!< [kg/m3]
-  std::vector<double> energy;           //!< specific internal energy, viscous heat included [J/kg]
-  std::vector<double> pressure;         //!< from the equation of state, compression positive [Pa]
+  std::vector<double> x, y, z;    //!< position [m]
+  std::vector<double> vx, vy, vz; //!< velocity [m/s]
+  std::vector<double> mass;       //!< [kg]
+  std::vector<double> density;    //!< [kg/m3]
+  std::vector<double> energy;     //!< specific internal energy, viscous heat included [J/kg]
+  std::vector<double> pressure;   //!< from the equation of state, compression positive [Pa]
+  std::vector<double>
+      mean_pressure; //!< sum V p W / sum V W over the neighbours: what a body around feels; the
+                     //!< pressures of single particles carry the noise of their arrangement [Pa]
   std::vector<double> sound_speed;      //!< [m/s]
   std::vector<double> smoothing_length; //!< h of 4.13; the kernel ends at 2h [m]
   std::vector<std::uint8_t> part;       //!< row in parts

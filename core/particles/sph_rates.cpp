@@ -53,10 +53,10 @@ void SphRates::prepare(Particles& p, const std::vector<double>& vx, const std::v
 {
   const std::size_t n = p.size(), size = n + padding;
   if (x_.size() != size) {
-    for (auto* array : {&x_,           &y_,       &z_,       &vx_,     &vy_,
-                        &vz_,          &h_,       &weight_,  &stress_, &shock_stress_,
-                        &sound_speed_, &inertia_, &limiter_, &fx_,     &fy_,
-                        &fz_,          &number_,  &heating_, &mu_,     &wall_})
+    for (auto* array : {&pressure_, &pressure_sum_, &work_,        &rest_density_, &x_,       &y_,
+                        &z_,        &vx_,           &vy_,          &vz_,           &h_,       &weight_,
+                        &stress_,   &shock_stress_, &sound_speed_, &inertia_,      &limiter_, &fx_,
+                        &fy_,       &fz_,           &number_,      &heating_,      &mu_,      &wall_})
       array->assign(size, 0.0);
     for (auto& array : gradient_)
       array.assign(size, 0.0);
@@ -82,12 +82,14 @@ void SphRates::prepare(Particles& p, const std::vector<double>& vx, const std::v
     const double rho0 = reference_density(eos), x = density[i] / rho0;
     p.pressure[i] = std::max(point.pressure, settings_.tension_cutoff);
     p.sound_speed[i] = point.sound_speed;
+    pressure_[i] = p.pressure[i];
     x_[i] = p.x[i], y_[i] = p.y[i], z_[i] = p.z[i];
     vx_[i] = vx[i], vy_[i] = vy[i], vz_[i] = vz[i];
     h_[i] = p.smoothing_length[i];
     sound_speed_[i] = point.sound_speed;
     weight_[i] = cell / lattice;
     inertia_[i] = rho0 / x;
+    rest_density_[i] = rho0;
     // q of 5.58 uses the rate of compression at the end of the step before.
     const double q = bulk ? bulk_viscosity(density[i], point.sound_speed, rates.divergence[i],
                                            std::cbrt(cell / x), viscosity.linear, viscosity.quadratic)
@@ -104,7 +106,7 @@ void SphRates::prepare(Particles& p, const std::vector<double>& vx, const std::v
               [](double& a, double b) { a = std::max(a, b); });
 }
 
-void SphRates::finish(const Particles& p, Rates& r)
+void SphRates::finish(Particles& p, Rates& r)
 {
   const ViscosityKind kind = settings_.viscosity.kind;
   const bool bulk = kind == ViscosityKind::bulk;
@@ -115,6 +117,7 @@ void SphRates::finish(const Particles& p, Rates& r)
     for (std::size_t c = 0; c < 9; ++c)
       g[c] = gradient_[c][i] / x;
     const double compression_rate = -x * (g[0] + g[4] + g[8]); // D
+    p.mean_pressure[i] = pressure_sum_[i] / number_[i];
     r.ax[i] = fx_[i] / rho0;
     r.ay[i] = fy_[i] / rho0;
     r.az[i] = fz_[i] / rho0;
@@ -122,8 +125,8 @@ void SphRates::finish(const Particles& p, Rates& r)
     r.divergence[i] = -compression_rate / x;
     r.density[i] = rho0 * compression_rate;
     r.summed_density[i] = rho0 * number_[i];
-    r.viscous[i] = (heating_[i] + shock_stress_[i] * compression_rate) / rho0;
-    r.energy[i] = r.viscous[i] + (stress_[i] - shock_stress_[i]) * compression_rate / rho0;
+    r.viscous[i] = (heating_[i] + shock_stress_[i] * work_[i]) / rho0;
+    r.energy[i] = r.viscous[i] + (stress_[i] - shock_stress_[i]) * work_[i] / rho0;
     r.approach[i] = bulk ? std::cbrt(cell / x) * std::abs(r.divergence[i]) : mu_[i];
     r.limiter[i] = kind == ViscosityKind::limited    ? plane_compression(g)
                    : kind == ViscosityKind::switched ? shear_switch(g)
@@ -148,14 +151,16 @@ void SphRates::evaluate(Particles& p, const std::vector<double>& vx, const std::
                      vz_.data(),
                      h_.data(),
                      weight_.data(),
+                     pressure_.data(),
                      stress_.data(),
                      sound_speed_.data(),
                      inertia_.data(),
+                     rest_density_.data(),
                      limiter_.data(),
                      {strain_rate_[0].data(), strain_rate_[1].data(), strain_rate_[2].data(),
                       strain_rate_[3].data(), strain_rate_[4].data(), strain_rate_[5].data()}};
-  PairOutput out{fx_.data(),     fy_.data(),      fz_.data(), {},
-                 number_.data(), heating_.data(), mu_.data(), wall_.data()};
+  PairOutput out{fx_.data(),           fy_.data(),   fz_.data(),      {},         number_.data(),
+                 pressure_sum_.data(), work_.data(), heating_.data(), mu_.data(), wall_.data()};
   for (std::size_t c = 0; c < 9; ++c)
     out.gradient[c] = gradient_[c].data();
   const Cluster* clusters = neighbours.clusters().data();

@@ -60,6 +60,34 @@ TEST_CASE("a particle that would come through is thrown back with its energy", "
   CHECK(p.vx[1] == 10);
 }
 
+TEST_CASE("a lattice presses evenly on elements of any size, and nothing gets lost at the rim",
+          "[contact][analytic]")
+{
+  const double spacing = 0.003, force = 7;
+  RigidPlate plate = make_rigid_plate(0.05, 0.03, 0.01, 10, 6); // elements of 5 mm
+  Particles p;
+  p.spacing = spacing;
+  Rates rates;
+  for (int j = -12; j <= 12; ++j)
+    for (int k = -12; k <= 12; ++k) {
+      p.y.push_back((j + 0.2) * spacing);
+      p.z.push_back((k - 0.4) * spacing);
+    }
+  p.x.assign(p.y.size(), -0.001);
+  rates.wall_force.assign(p.y.size(), -force);
+  const Vector3 total = collect_contact_force(p, rates, plate);
+  CHECK(total[0] == Approx(force * 625));
+  double sum = 0;
+  for (int iz = 0; iz < 6; ++iz)
+    for (int iy = 0; iy < 10; ++iy) {
+      const double on_element = plate.force[static_cast<std::size_t>(iz * 10 + iy)][0];
+      sum += on_element;
+      if (iy > 0 && iy < 9 && iz > 0 && iz < 5)
+        CHECK(on_element == Approx(force / (spacing * spacing) * plate.element_area()).epsilon(1e-12));
+    }
+  CHECK(sum == Approx(force * 625).epsilon(1e-12));
+}
+
 TEST_CASE("a plate without size is refused", "[plate][errors]")
 {
   CHECK_THROWS_AS(make_rigid_plate(0, 1, 0.1, 1, 1), InputError);

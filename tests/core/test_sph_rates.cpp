@@ -262,6 +262,16 @@ TEST_CASE("the counted density of a lattice is that of its material, squeezed or
   }
 }
 
+TEST_CASE("the mean pressure of equal pressures is theirs", "[sph][analytic]")
+{
+  Particles p = samples::shaken_block(8, 2e-3, 16);
+  const double density = 1.01 * reference_density(p.parts[0].eos);
+  std::fill(p.density.begin(), p.density.end(), density);
+  samples::rates_of(p, with(ViscosityKind::limited, 1, 2));
+  for (std::size_t i = 0; i < p.size(); ++i) // up to the surface, where sum V W is far from 1
+    CHECK(p.mean_pressure[i] == Approx(evaluate(p.parts[0].eos, density).pressure).epsilon(1e-12));
+}
+
 TEST_CASE("the smoothing length solves dh/dt = h/3 div v in a uniform expansion", "[sph][analytic]")
 {
   // rho = rho0 exp(-D t) in a field of constant divergence D, so h = h0 exp(D t / 3).
