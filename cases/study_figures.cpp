@@ -162,6 +162,8 @@ private:
     marks.colour = colours[number(s, k) % colours.size()];
     marks.marker = markers[number(s, k) % markers.size()];
     marks.line_width = 2.5;
+    if (marks.x.size() == 1)
+      marks.style = LineStyle::points; // VTK complains of a line through one point
     if (!marks.x.empty())
       picture.series.push_back(std::move(marks));
   }
