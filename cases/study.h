@@ -50,7 +50,9 @@ struct StudyPlot
   std::string y_unit;                 //!< of all numbers of this plot
   std::vector<std::size_t> y, theory; //!< rows of Study::collect
   std::optional<std::size_t> x_sweep,
-      split_by; //!< rows of Study::sweeps; one picture for each value of split_by
+      split_by;          //!< rows of Study::sweeps; one picture for each value of split_by
+  std::string series_by; //!< key of x_sweep; runs with the same value of it are a series, empty: all of them
+  std::optional<double> exact; //!< what y should be, a line across
   std::vector<Reference> references;
   bool x_log = false, y_log = false;
 };
@@ -78,6 +80,9 @@ std::filesystem::path find_study(const std::string& path_or_name);
 //! The number in SI that a key is set to, for keys that are numbers.
 //! \throw InputError if the key takes a quantity and this is none
 std::optional<double> swept_number(const Entry& change);
+
+//! What a value sets \p key to; null if it leaves that alone.
+const Entry* find_change(const SweepValue& value, const std::string& key);
 
 //! What a value is called: "100 m/s", "capsule", or "porosity = 0.4" where the value alone says too little.
 std::string value_label(const Entry& change, const std::string& sweep_label);

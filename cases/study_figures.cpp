@@ -71,6 +71,7 @@ public:
       marks.marker = Marker::open_circle;
       picture.series.push_back(std::move(marks));
     }
+    add_exact(picture);
     set_ranges(picture);
     return picture;
   }
@@ -82,18 +83,31 @@ private:
   Choice series_of(const StudyRun& run) const
   {
     Choice choice = run.choice;
-    choice[*plot_.x_sweep] = 0;
+    choice[*plot_.x_sweep] = first_alike(choice[*plot_.x_sweep]);
     if (plot_.split_by)
       choice[*plot_.split_by] = 0;
     return choice;
   }
 
+  //! The first value along x that has the same series_by.
+  std::size_t first_alike(std::size_t value) const
+  {
+    if (plot_.series_by.empty())
+      return 0;
+    const std::vector<SweepValue>& values = study_.sweeps[*plot_.x_sweep].values;
+    const std::string& wanted = find_change(values[value], plot_.series_by)->found;
+    std::size_t first = 0;
+    while (find_change(values[first], plot_.series_by)->found != wanted)
+      ++first;
+    return first;
+  }
+
   double x_of(const StudyRun& run) const
   {
-    for (const Entry& change : study_.sweeps[*plot_.x_sweep].values[run.choice[*plot_.x_sweep]].changes)
-      if (join(change.path) == plot_.x)
-        if (const std::optional<double> value = swept_number(change))
-          return plot_.x_unit.empty() ? *value : from_si(*value, plot_.x_unit);
+    const SweepValue& along = study_.sweeps[*plot_.x_sweep].values[run.choice[*plot_.x_sweep]];
+    if (const Entry* change = find_change(along, plot_.x))
+      if (const std::optional<double> value = swept_number(*change))
+        return plot_.x_unit.empty() ? *value : from_si(*value, plot_.x_unit);
     return std::nan("");
   }
 
@@ -111,8 +125,13 @@ private:
   std::string label(const Choice& series, const std::set<std::size_t>& rows) const
   {
     std::vector<std::string> labels;
-    for (const std::size_t row : rows)
-      labels.push_back(study_.sweeps[row].values[series[row]].label);
+    for (const std::size_t row : rows) {
+      const SweepValue& value = study_.sweeps[row].values[series[row]];
+      const std::string& key = plot_.series_by;
+      labels.push_back(row == *plot_.x_sweep
+                           ? value_label(*find_change(value, key), key.substr(key.rfind('.') + 1))
+                           : value.label);
+    }
     return fmt::format("{}", fmt::join(labels, ", "));
   }
 
@@ -143,6 +162,8 @@ private:
     marks.colour = colours[number(s, k) % colours.size()];
     marks.marker = markers[number(s, k) % markers.size()];
     marks.line_width = 2.5;
+    if (marks.x.size() == 1)
+      marks.style = LineStyle::points; // VTK complains of a line through one point
     if (!marks.x.empty())
       picture.series.push_back(std::move(marks));
   }
@@ -217,6 +238,25 @@ private:
     }
   }
 
+  //! What all marks should be, under them.
+  void add_exact(Plot& picture) const
+  {
+    PlotSeries line;
+    for (const PlotSeries& series : picture.series)
+      for (const double x : series.x) {
+        line.x.resize(2, x);
+        line.x = {std::min(line.x[0], x), std::max(line.x[1], x)};
+      }
+    if (!plot_.exact || line.x.empty())
+      return;
+    line.y.assign(2, *plot_.exact);
+    line.name = "exact";
+    line.style = LineStyle::dashed;
+    line.line_width = 2;
+    line.colour = theory_colours[0];
+    picture.series.insert(picture.series.begin(), std::move(line));
+  }
+
   //! Room for the marks at the ends; from zero up unless that would flatten everything.
   static void set_ranges(Plot& picture)
   {
@@ -235,6 +275,11 @@ private:
               : std::array{x_low - 0.05 * (x_high - x_low), x_high + 0.05 * (x_high - x_low)};
     if (!picture.y_log && y_low >= 0 && y_low < 0.6 * y_high)
       picture.y_range = {0, 1.05 * y_high};
+    // Differences of a few parts in a thousand are shown as small as they are; of ranges below a hundredth of the
+    // values, vtkChartXY draws nothing.
+    const double middle = 0.5 * (y_low + y_high), least = 0.02 * std::abs(middle);
+    if (!picture.y_log && y_high - y_low < 2 * least)
+      picture.y_range = {middle - least, middle + least};
   }
 
   const Study& study_;

@@ -211,6 +211,12 @@ StudyPlot read_plot(StrictTable table, const Study& study)
   plot.y_title = table.text("y_title");
   plot.x_log = table.flag("x_log");
   plot.y_log = table.flag("y_log");
+  plot.series_by = table.text("series_by");
+  if (const toml::node* exact = table.find("exact")) {
+    plot.exact = exact->value<double>();
+    if (!plot.exact)
+      table.fail("exact", "a number is needed, in the unit of the plot, for example exact = 1.0");
+  }
   const std::string split = table.text("split_by");
   const std::vector<std::string> references = table.texts("reference");
   std::optional<std::string> unit;
@@ -239,6 +245,12 @@ StudyPlot read_plot(StrictTable table, const Study& study)
     if (!fits)
       table.fail("x_unit", fmt::format("a unit of {} is needed", dimension_name(key->dimension)));
   }
+  if (!plot.series_by.empty())
+    for (const SweepValue& value : study.sweeps[*plot.x_sweep].values)
+      if (plot.series_by == plot.x || !find_change(value, plot.series_by))
+        table.fail("series_by", fmt::format("a key beside {}, that each value of the same sweep sets, is "
+                                            "needed",
+                                            plot.x));
   if (plot.title.empty())
     plot.title = study.title;
   if (plot.x_title.empty())
@@ -305,6 +317,14 @@ std::optional<double> swept_number(const Entry& change)
     throw InputError(
         fmt::format("{}: {} = {}: {}", change.place, join(change.path), change.found, error.what()));
   }
+}
+
+const Entry* find_change(const SweepValue& value, const std::string& key)
+{
+  for (const Entry& change : value.changes)
+    if (join(change.path) == key)
+      return &change;
+  return nullptr;
 }
 
 std::string value_label(const Entry& change, const std::string& sweep_label)

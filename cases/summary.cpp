@@ -147,6 +147,16 @@ std::string summary_json(const Simulation& run, const RunFacts& facts)
   }
   if (!facts.transducers.empty())
     json["transducers"] = to_json(facts.transducers);
+  if (!theory.empty())
+    for (const TransducerReport& one : facts.transducers) {
+      const auto ratio = [&](double pressure, const char* exact) {
+        const double value = pressure / json["theory"][exact].get<double>();
+        return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+      };
+      json["transducers"][one.name]["pulse_over_hugoniot"] = ratio(one.pulse_mean, "hugoniot_pressure");
+      json["transducers"][one.name]["steady_over_stagnation"] =
+          ratio(one.steady_mean, "stagnation_standing_shock");
+    }
   if (facts.planar)
     json["verification"] = to_json(*facts.planar);
   const Shares& shares = run.shares();

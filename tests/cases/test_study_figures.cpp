@@ -107,3 +107,41 @@ TEST_CASE("published values are open circles", "[cases][study][plot]")
   CHECK(write_study_figures(figures, folder.path).at(0) == folder.path / "peak.png");
   CHECK(fs::file_size(folder.path / "peak.png") > 1000);
 }
+
+TEST_CASE("keys that change together are told apart by one of them, and a line shows what is exact",
+          "[cases][study][plot]")
+{
+  const std::string sweeps = R"(
+[[sweep]]
+label = "both"
+set = [
+  { label = "a", bird.velocity = "100 m/s", bird.parts.torso.porosity = 0.4 },
+  { label = "b", bird.velocity = "200 m/s", bird.parts.torso.porosity = 0.4 },
+  { label = "c", bird.velocity = "110 m/s", bird.parts.torso.porosity = 0.1 },
+  { label = "d", bird.velocity = "210 m/s", bird.parts.torso.porosity = 0.1 },
+]
+[[plot]])";
+  std::string text = scratch::box_study;
+  const std::size_t from = text.find("[[sweep]]"), to = text.find("[[plot]]");
+  text.replace(from, to - from + 8, sweeps);
+  text = with(text, "theory = \"plane shock\"", "series_by = \"bird.parts.torso.porosity\"\nexact = 150.0");
+  scratch::Folder folder;
+  folder.write("case.toml", scratch::box_case);
+  folder.write("box.obj", scratch::box("torso", 0.1, 0.05, 0.05));
+  const Study study = read_study(folder.write("study.toml", text));
+  const std::vector<StudyRun> runs = runs_of_study(study);
+  std::vector<RunResult> results;
+  for (const StudyRun& run : runs)
+    results.push_back({RunStatus::complete, "", {run.parsed.bird.velocity, 0, 1}, 1});
+  const auto figures = figures_of_study(study, runs, results);
+  REQUIRE(figures.size() == 1);
+  const std::vector<PlotSeries>& series = figures[0].plot.series;
+  REQUIRE(series.size() == 3);
+  CHECK(series[0].name == "exact");
+  CHECK(series[0].x == std::vector<double>{100, 210});
+  CHECK(series[0].y == std::vector<double>{150, 150});
+  CHECK(series[1].name == "porosity = 0.4");
+  CHECK(series[1].x == std::vector<double>{100, 200});
+  CHECK(series[2].name == "porosity = 0.1");
+  CHECK(series[2].x == std::vector<double>{110, 210});
+}

@@ -126,6 +126,11 @@ TEST_CASE("a run leaves transducers.csv at every step and their numbers", "[case
   CHECK(axis.at("steady_mean").get<double>() > 1e6);
   CHECK(axis.at("pulse_mean").get<double>() > 5e7);
   CHECK(axis.at("impulse").get<double>() > 100);
+  const auto& theory = summary.at("theory");
+  CHECK(axis.at("pulse_over_hugoniot").get<double>() ==
+        Approx(axis.at("pulse_mean").get<double>() / theory.at("hugoniot_pressure").get<double>()));
+  CHECK(axis.at("steady_over_stagnation").get<double>() ==
+        Approx(axis.at("steady_mean").get<double>() / theory.at("stagnation_standing_shock").get<double>()));
   CHECK(summary.at("transducers").contains("rim"));
   CHECK(fs::file_size(folder.path / "out/figures/transducers.png") > 1000);
 }
