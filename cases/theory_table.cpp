@@ -108,6 +108,14 @@ void add_steady(Table& table, const TheoryInput& in)
             "", "p_s = k rho0 u^2 (2.7)");
 }
 
+bool is_normal(const TheoryInput& in) { return std::cos(in.angle) < 1e-9; }
+
+//! Of the whole impact; \p in has diameter and length [s].
+double duration_of(const TheoryInput& in)
+{
+  return squash_up_time(effective_length(*in.length, *in.diameter, in.angle), in.speed);
+}
+
 void add_times(Table& table, const TheoryInput& in)
 {
   const double un = normal_speed_of(in);
@@ -122,22 +130,23 @@ void add_times(Table& table, const TheoryInput& in)
   if (!in.diameter || !in.length)
     return;
   const double a = 0.5 * *in.diameter;
-  table.add("edge_release_time", "release from the edge reaches the axis", "t_B",
-            edge_release_time(a, release), "s", "a / c_r; P_H lasts until then on the axis");
-  if (front)
+  if (is_normal(in)) // at an angle the front does not arrive all at once
+    table.add("edge_release_time", "release from the edge reaches the axis", "t_B",
+              edge_release_time(a, release), "s", "a / c_r; P_H lasts until then on the axis");
+  if (is_normal(in) && front)
     table.add("full_release_time", "no shocked matter is left", "t_c", full_release_time(a, *front), "s",
               "a / sqrt(c_r^2 - (us - un)^2)");
-  table.add("squash_up_time", "squash-up time", "T", squash_up_time(*in.length, in.speed), "s",
-            "L / u (2.1)");
+  table.add("squash_up_time", "squash-up time", "T", duration_of(in), "s",
+            is_normal(in) ? "L / u (2.1)" : "(L + D / tan angle) / u (2.1)");
 }
 
 void add_size(Table& table, const TheoryInput& in)
 {
   if (!in.diameter || !in.length || !in.mass)
     return;
-  const double a = 0.5 * *in.diameter, area = std::numbers::pi * a * a;
+  const double a = 0.5 * *in.diameter, area = std::numbers::pi * a * a / std::sin(in.angle);
   const double impulse = momentum_impulse(*in.mass, normal_speed_of(in));
-  const double duration = squash_up_time(*in.length, in.speed);
+  const double duration = duration_of(in);
   table.section("averages of a cylinder");
   table.add("mass", "mass", "m", *in.mass, "kg", "rho0 pi a^2 L");
   table.add("diameter", "diameter", "D", *in.diameter, "m", "D = 2 a");
@@ -145,7 +154,10 @@ void add_size(Table& table, const TheoryInput& in)
   table.add("impulse", "impulse on the target", "I", impulse, "N s", "m un (2.12)");
   table.add("average_force", "mean force", "F", average_force(impulse, duration), "N", "I / T");
   table.add("average_pressure", "mean pressure on the imprint", "P",
-            average_pressure(impulse, area, duration), "Pa", "I / (A T) (2.11), A = pi a^2");
+            average_pressure(impulse, area, duration), "Pa",
+            is_normal(in) ? "I / (A T) (2.11), A = pi a^2" : "I / (A T) (2.11), A = pi a^2 / sin angle");
+  if (!is_normal(in)) // the laws below are for a round imprint
+    return;
 
   table.section("pressure off the axis");
   const double steady = stagnation_standing_shock(in.law, in.speed);

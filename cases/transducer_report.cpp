@@ -2,7 +2,7 @@
 #include "cases/transducer_report.h"
 
 #include "core/error.h"
-#include "core/theory/impact_pressures.h"
+#include "core/theory/durations.h"
 
 #include <nlohmann/json.hpp>
 
@@ -22,7 +22,7 @@ double release_time(const Flight& flight, const EquationOfState& law, double rad
   if (!(way > 0))
     return std::nan("");
   try {
-    return way / evaluate(law, hugoniot(law, flight.normal_speed()).density).sound_speed;
+    return edge_release_time(way, release_speed(law, flight.normal_speed()));
   } catch (const InputError&) { // a law without a Hugoniot state at this speed
     return std::nan("");
   }

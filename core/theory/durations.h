@@ -13,6 +13,15 @@ namespace birdstrike {
 //! T = L / u, 2.1 [s].
 inline double squash_up_time(double length, double speed) { return length / speed; }
 
+//! Length of flight from the first contact of a cylinder to its last [m]: its own, and more where it comes at an angle,
+//! as the near edge of its front arrives D / tan(angle) of flight before the far one. Source: J. P. Barber,
+//! J. S. Wilbeck, H. R. Taylor, AFFDL-TR-77-60 (1978).
+//! \param angle  between the flight and the target's plane; pi/2 is normal [rad]
+inline double effective_length(double length, double diameter, double angle)
+{
+  return length + diameter * std::cos(angle) / std::sin(angle);
+}
+
 //! c_r [m/s]: sound speed of the law behind the shock, with which release waves run inwards from the bird's edge.
 inline double release_speed(const EquationOfState& eos, double speed)
 {

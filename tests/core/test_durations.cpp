@@ -5,9 +5,22 @@
 
 #include <catch2/catch.hpp>
 
+#include <numbers>
+
 using namespace birdstrike;
 
 TEST_CASE("squash-up time is length over speed", "[theory]") { CHECK(squash_up_time(0.2, 200) == 1e-3); }
+
+TEST_CASE("a cylinder at an angle takes longer by the way between the edges of its front",
+          "[theory][analytic]")
+{
+  const double pi = std::numbers::pi;
+  CHECK(effective_length(0.2, 0.1, pi / 2) == Approx(0.2).epsilon(1e-14));
+  CHECK(effective_length(0.2, 0.1, pi / 4) == Approx(0.3).epsilon(1e-14));
+  // By hand: the lowest point of the front and the highest of the back, along the plate's normal, at 25 degrees.
+  const double angle = 25 * pi / 180, normal = 0.2 * std::sin(angle) + 0.1 * std::cos(angle);
+  CHECK(effective_length(0.2, 0.1, angle) == Approx(normal / std::sin(angle)).epsilon(1e-14));
+}
 
 TEST_CASE("release speed is the slope of the law behind the shock", "[theory][analytic]")
 {
