@@ -18,9 +18,9 @@ std::vector<std::string> bird_shape_names()
 ShapeSize size_of_shape(const Case& parsed)
 {
   const BirdCase& bird = parsed.bird;
+  const double density = reference_density(natural_law(parsed, bird.parts.at(0)));
   try {
-    return shape_size(bird.shape, bird.mass, reference_density(natural_law(parsed, bird.parts.at(0))),
-                      bird.length_over_diameter);
+    return shape_size(bird.shape, bird.mass, density, bird.length_over_diameter);
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: bird.length_over_diameter: {}", parsed.file.string(), error.what()));
   }

@@ -19,6 +19,24 @@ namespace fs = std::filesystem;
 namespace birdstrike {
 namespace {
 
+//! SI unit of a number of summary.json, as far as its name tells; "" if it does not.
+std::string_view unit_in_summary(std::string_view path)
+{
+  const std::string_view name = path.substr(path.rfind('.') + 1);
+  if (name.ends_with("time") || name.ends_with("duration") || name.ends_with("begin") ||
+      name.ends_with("end"))
+    return "s";
+  for (const std::string_view pressure :
+       {"peak", "raw_peak", "pulse_mean", "steady_mean", "hugoniot_pressure", "stagnation_bernoulli",
+        "stagnation_standing_shock", "plateau_mean"})
+    if (name == pressure)
+      return "Pa";
+  if (name.ends_with("over_momentum") || name.ends_with("error") || name.ends_with("ripple") ||
+      name == "overshoot")
+    return "1";
+  return "";
+}
+
 //! {"bird", "velocity"} of {"bird.velocity"}: dots within quotes part keys, too.
 std::vector<std::string> split_path(const std::vector<std::string>& path)
 {
@@ -137,6 +155,9 @@ std::vector<Collected> read_collect(StrictTable& study)
       try {
         if (!one.unit.empty())
           from_si(1, one.unit);
+        if (const std::string_view si = unit_in_summary(one.path);
+            !si.empty() && !one.unit.empty() && !same_kind(one.unit, si))
+          throw InputError(fmt::format("a unit of the same kind as {} is needed for {}", si, one.path));
       } catch (const InputError& error) {
         table.fail("unit", error.what());
       }

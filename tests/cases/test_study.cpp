@@ -147,6 +147,8 @@ TEST_CASE("what is wrong in a study is named with file, line and key", "[cases][
   CHECK(says("x_unit = \"m/s\"\n", "").find("plot.x_unit is missing") != std::string::npos);
   CHECK(says("unit = \"N s\"", "unit = \"Ns2x\"")
             .find("study.toml:6: collect.unit = \"Ns2x\": \"Ns2x\" is not a unit") == 0);
+  CHECK(says("path = \"impulse\"", "path = \"theory.hugoniot_pressure\"")
+            .find("same kind as Pa is needed for theory.hugoniot") != std::string::npos);
   CHECK(says("file = \"peak.png\"", "file = \"../peak.png\"").find("without a folder") != std::string::npos);
   CHECK(says("y = \"peak\"", "y = \"peak\"\nsplit_by = \"speed\"").find("along x already") !=
         std::string::npos);
