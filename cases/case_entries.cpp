@@ -105,6 +105,17 @@ toml::table parse_toml(const std::filesystem::path& file, const std::string& kin
   }
 }
 
+std::vector<std::string> split_path(const std::vector<std::string>& path)
+{
+  std::vector<std::string> segments;
+  for (const std::string& part : path) {
+    std::stringstream stream(part);
+    for (std::string segment; std::getline(stream, segment, '.');)
+      segments.push_back(segment);
+  }
+  return segments;
+}
+
 std::vector<Entry> entries_of(const toml::table& table, const std::string& file)
 {
   std::vector<Found> found;

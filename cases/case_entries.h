@@ -24,6 +24,8 @@ struct Entry
 };
 
 std::string join(const std::vector<std::string>& path); //!< "bird.spacing"
+//! {"bird", "velocity"} of {"bird.velocity"}: dots within quotes part keys, too.
+std::vector<std::string> split_path(const std::vector<std::string>& path);
 
 //! \throw InputError naming the file: missing, unreadable, not TOML (with the line)
 std::vector<Entry> read_entries(const std::filesystem::path& file);

@@ -2,10 +2,13 @@
 // Numbers with a unit, "150 m/s", to SI numbers and back.
 #pragma once
 
+#include <numbers>
 #include <string>
 #include <string_view>
 
 namespace birdstrike {
+
+inline constexpr double degree = std::numbers::pi / 180; //!< [rad]
 
 //! What a number measures. Each has one SI unit, a name for messages and an example.
 enum class Dimension

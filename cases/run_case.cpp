@@ -6,6 +6,7 @@
 #include "cases/figures.h"
 #include "cases/flight_check.h"
 #include "cases/history_file.h"
+#include "cases/keys.h"
 #include "cases/log.h"
 #include "cases/output_folder.h"
 #include "cases/progress.h"
@@ -49,7 +50,7 @@ class Recorder : public Observer
 {
 public:
   Recorder(const fs::path& folder, bool transducers, Log& log)
-      : series_(folder), histories_(folder / "histories.csv"), progress_(log)
+      : series_(folder), histories_(folder / "histories.csv"), progress_(log), log_(log)
   {
     if (transducers)
       transducers_.emplace(folder / "transducers.csv");
@@ -70,6 +71,7 @@ public:
     const auto bird = particles_to_vtk(run.particles(), run.time());
     const auto target = run.plate() ? plate_to_vtk(*run.plate(), run.time()) : nullptr;
     series_.write_frame(run.time(), *bird, target);
+    check_balance(run);
   }
 
   void finish() { progress_.finish(); }
@@ -83,10 +85,26 @@ private:
       transducers_->append(run.transducer_history());
   }
 
+  //! 5.59 at every output; said once.
+  void check_balance(const Simulation& run)
+  {
+    constexpr double acceptable = 0.01;
+    if (balance_warned_ || run.ledger().balance_error() <= acceptable)
+      return;
+    balance_warned_ = true;
+    log_.warn(fmt::format(
+        "the energy balance (5.59) is off by {:.1f} % at {:.4g} ms; a smaller run.courant than {:g} or "
+        "another run.viscosity than \"{}\" may keep it",
+        100 * run.ledger().balance_error(), 1e3 * run.time(), run.settings().courant,
+        name_of(run.settings().viscosity.kind)));
+  }
+
   SeriesWriter series_;
   HistoryFile histories_;
   std::optional<HistoryFile> transducers_;
   Progress progress_;
+  Log& log_;
+  bool balance_warned_ = false;
 };
 
 RigidPlate make_plate(const TargetCase& target)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cases/theory_table.h"
 
+#include "cases/quantity.h"
 #include "core/error.h"
 #include "core/material/impact_event.h"
 #include "core/material/porous_bird.h"
@@ -179,11 +180,8 @@ struct Shown
   double factor;
 };
 //! Units for the eye.
-constexpr Shown shown_units[] = {{"Pa", "MPa", 1e-6},
-                                 {"s", "us", 1e6},
-                                 {"m", "mm", 1e3},
-                                 {"N", "kN", 1e-3},
-                                 {"rad", "deg", 180 / std::numbers::pi}};
+constexpr Shown shown_units[] = {
+    {"Pa", "MPa", 1e-6}, {"s", "us", 1e6}, {"m", "mm", 1e3}, {"N", "kN", 1e-3}, {"rad", "deg", 1 / degree}};
 
 std::string quoted(const std::string& text)
 {

@@ -11,6 +11,8 @@ namespace birdstrike {
 namespace {
 
 constexpr double fewest_across = 4; // cells; fewer are no shape
+constexpr double good_volume =
+    0.005; // relative error; a worse one is worth a look at other places of the lattice
 
 //! Radius of the body of revolution at \p x from its middle, squared; negative beyond its ends [m2].
 double squared_radius(std::string_view shape, const ShapeSize& size, double x)
@@ -40,12 +42,14 @@ void fill_disc(double x, double radius2, double shift_y, double shift_z, double 
 }
 
 //! \param layers  of the lattice along x, centred
-std::vector<Seed> fill_layers(std::string_view shape, const ShapeSize& size, double spacing, long layers)
+//! \param phase   shift of the whole lattice along y, in spacings
+std::vector<Seed> fill_layers(std::string_view shape, const ShapeSize& size, double spacing, long layers,
+                              double phase)
 {
   std::vector<Seed> seeds;
   for (long i = 0; i < layers; ++i) {
     const double x = (double(i) - 0.5 * double(layers - 1)) * spacing;
-    const double y = double(i) * leaning_lattice.shift_y, z = double(i) * leaning_lattice.shift_z;
+    const double y = double(i) * leaning_lattice.shift_y + phase, z = double(i) * leaning_lattice.shift_z;
     const double radius2 =
         shape == "cylinder" ? 0.25 * size.diameter * size.diameter : squared_radius(shape, size, x);
     fill_disc(x, radius2, y - std::floor(y), z - std::floor(z), spacing, seeds);
@@ -68,10 +72,14 @@ Fill fill_shape(std::string_view shape, const ShapeSize& size, double spacing, c
     return std::abs(double(seeds.size()) * cell / volume - 1);
   };
   const long whole = std::max(1l, static_cast<long>(size.length / spacing));
-  for (const long layers : {whole, whole + 1}) {
-    std::vector<Seed> seeds = fill_layers(shape, size, spacing, layers);
-    if (fill.seeds.empty() || error(seeds) < error(fill.seeds))
-      fill.seeds = std::move(seeds);
+  for (const double phase : {0.0, 0.25, 0.5, 0.75}) {
+    if (!fill.seeds.empty() && error(fill.seeds) < good_volume)
+      break;
+    for (const long layers : {whole, whole + 1}) {
+      std::vector<Seed> seeds = fill_layers(shape, size, spacing, layers, phase);
+      if (fill.seeds.empty() || error(seeds) < error(fill.seeds))
+        fill.seeds = std::move(seeds);
+    }
   }
   if (std::min(size.diameter, size.length) < fewest_across * spacing || error(fill.seeds) > 0.25) {
     char text[300];

@@ -23,7 +23,7 @@ vtkSmartPointer<vtkUnstructuredGrid> plate_to_vtk(const RigidPlate& plate, doubl
   for (const Vector3& point : mesh.points)
     points->InsertNextPoint(point.data());
   auto quads = vtkSmartPointer<vtkCellArray>::New();
-  for (const auto& quad : mesh.quads)
+  for (const auto& quad : mesh.elements)
     quads->InsertNextCell({quad[0], quad[1], quad[2], quad[3]});
 
   auto displacement = vtkSmartPointer<vtkDoubleArray>::New();

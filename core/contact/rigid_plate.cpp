@@ -32,7 +32,7 @@ RigidPlate make_rigid_plate(double size_y, double size_z, double thickness, int 
 ShellMesh to_mesh(const RigidPlate& plate)
 {
   ShellMesh mesh;
-  mesh.thickness = plate.thickness;
+  mesh.parts = {{"plate", plate.thickness}};
   const int ny = plate.elements_y, nz = plate.elements_z;
   for (int iz = 0; iz <= nz; ++iz)
     for (int iy = 0; iy <= ny; ++iy)
@@ -42,7 +42,7 @@ ShellMesh to_mesh(const RigidPlate& plate)
   for (int iz = 0; iz < nz; ++iz)
     for (int iy = 0; iy < ny; ++iy) {
       const int a = iz * (ny + 1) + iy, b = a + ny + 1;
-      mesh.quads.push_back({a, b, b + 1, a + 1});
+      mesh.elements.push_back({a, b, b + 1, a + 1});
     }
   return mesh;
 }

@@ -42,8 +42,8 @@ struct Sums
   Pack fx{}, fy{}, fz{}, gradient[9]{}, number{}, pressure{}, work{}, heating{}, mu{}, wall{};
 };
 
-//! The part of v_ij.d that the velocity gradients on both sides explain: twice the harmonic mean's half of d.G d, zero
-//! where the two disagree in sign. A mirror turns the sign of the shears that cross it.
+//! R_ij of artificial_viscosity.h but for its share: the harmonic mean of d.G d on both sides, zero where they disagree in
+//! sign. A mirror turns the sign of the shears that cross it.
 template <bool mirrored>
 [[gnu::always_inline]] inline Pack explained(const Side<Pack>& i, const PairInput& in, int j, Pack dx,
                                              Pack dy, Pack dz)

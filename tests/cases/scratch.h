@@ -78,6 +78,15 @@ inline Outcome program(const fs::path& folder, const std::string& arguments)
   return shell(folder, std::string("'") + BIRDSTRIKE_PROGRAM + "' " + arguments);
 }
 
+//! The program, killed as soon as \p awaited is there; without it after a minute.
+inline Outcome killed_program(const fs::path& folder, const std::string& arguments,
+                              const std::string& awaited)
+{
+  return shell(folder, std::string("'") + BIRDSTRIKE_PROGRAM + "' " + arguments +
+                           " & run=$!; for k in $(seq 600); do [ -f " + awaited +
+                           " ] && break; sleep 0.1; done; kill -KILL $run; wait $run");
+}
+
 //! A closed box as an OBJ object; \p faces below 6 leaves it open, first_point counts the file's points.
 inline std::string box(const std::string& name, double x, double y, double z, int faces = 6,
                        int first_point = 1)

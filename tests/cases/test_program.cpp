@@ -107,12 +107,11 @@ TEST_CASE("a run that is killed or fails leaves no summary, and its successor le
   run.folder.write("out/mine.txt", "keep");
 
   // Too long to end; killed when it has written more frames than the first run had.
-  const Outcome killed = scratch::shell(
-      run.folder.path,
-      std::string("'") + BIRDSTRIKE_PROGRAM +
-          "' run case.toml -o out --quiet --no-figures --threads 1 --set run.end='1 s' "
-          "--set run.frames=100000 & run=$!; for k in $(seq 600); do "
-          "[ -f out/frames/bird_0009.vtu ] && break; sleep 0.1; done; kill -KILL $run; wait $run");
+  const Outcome killed =
+      scratch::killed_program(run.folder.path,
+                              "run case.toml -o out --quiet --no-figures --threads 1 --set run.end='1 s' "
+                              "--set run.frames=100000",
+                              "out/frames/bird_0009.vtu");
   CHECK(killed.status == 128 + 9);
   CHECK_FALSE(fs::exists(out / "summary.json"));
   CHECK(fs::exists(out / "run.pvd"));

@@ -215,12 +215,9 @@ TEST_CASE("a study that is killed goes on when started again", "[cases][study][r
                          "label = \"speed\"\nkey = \"bird.velocity\"\nvalues = [\"100 m/s\", \"200 m/s\"]",
                          "label = \"speed\"\nset = [{ bird.velocity = \"100 m/s\", run.end = \"0.2 ms\" }, "
                          "{ bird.velocity = \"200 m/s\", run.end = \"1000 s\" }]"));
-  const Outcome killed = scratch::shell(
-      project.folder.path,
-      std::string("'") + BIRDSTRIKE_PROGRAM +
-          "' study study.toml -o out --quiet --threads 1 & run=$!; for k in $(seq 600); do "
-          "[ -f out/runs/200-m-per-s_soft/case.toml ] && break; sleep 0.1; done; kill -KILL $run; "
-          "wait $run");
+  const Outcome killed =
+      scratch::killed_program(project.folder.path, "study study.toml -o out --quiet --threads 1",
+                              "out/runs/200-m-per-s_soft/case.toml");
   CHECK(killed.status == 128 + 9);
   const auto rows = project.json("out/results.json").at("runs");
   CHECK(rows.at(0).at("status") == "complete");

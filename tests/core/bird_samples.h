@@ -24,6 +24,15 @@ inline Particles block(int nx, int ny, int nz, double spacing, double porosity =
   return make_particles({flesh}, seeds, spacing, velocity, 1.25);
 }
 
+//! A run to \p end [s], with four frames.
+inline Settings settings_to(double end)
+{
+  Settings s;
+  s.end_time = end;
+  s.frames = 4;
+  return s;
+}
+
 //! Where the particles of \p p are, to make others there.
 inline std::vector<Seed> seeds_of(const Particles& p)
 {

@@ -24,11 +24,11 @@ TEST_CASE("the plate's mesh has its area and faces the bird", "[plate]")
 {
   const RigidPlate plate = make_rigid_plate(0.6, 0.4, 0.005, 6, 4);
   const ShellMesh mesh = to_mesh(plate);
-  REQUIRE(mesh.quads.size() == 24);
+  REQUIRE(mesh.elements.size() == 24);
   REQUIRE(mesh.points.size() == 35);
   double area = 0;
-  for (std::size_t e = 0; e < mesh.quads.size(); ++e) {
-    const auto& q = mesh.quads[e];
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    const auto& q = mesh.elements[e];
     const Vector3 cross =
         (mesh.points[q[2]] - mesh.points[q[0]]).cross(mesh.points[q[3]] - mesh.points[q[1]]);
     CHECK(cross[0] < 0); // outward normal -x

@@ -38,7 +38,7 @@ TEST_CASE("every shape keeps its volume and its middle", "[geometry][fill]")
       CHECK((low + high).norm() < 2 * spacing);
       CHECK(std::abs(high.x() + 0.5 * spacing - 0.5 * size.length) < 0.75 * spacing);
     }
-    CHECK(last < 0.006);
+    CHECK(last < 0.005);
   }
 }
 

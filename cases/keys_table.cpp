@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The table of keys itself: one row a key.
+#include "cases/keys.h"
+
+#include "core/material/porous_bird.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace birdstrike {
+namespace {
+
+using enum Dimension;
+
+Range above(double low) { return {low, {}, true}; }
+Range at_least(double low) { return {low, {}, false}; }
+Range at_most(double high) { return {{}, high, false}; }
+Range within(double low, double high) { return {low, high, false}; }
+Range above_within(double low, double high) { return {low, high, true}; }
+
+std::vector<std::string> law_names()
+{
+  const auto names = porous_law_names();
+  return {names.begin(), names.end()};
+}
+struct NamedViscosity
+{
+  ViscosityKind kind;
+  std::string_view name;
+};
+constexpr NamedViscosity viscosities[] = {{ViscosityKind::limited, "limited"},
+                                          {ViscosityKind::pairwise, "pairwise"},
+                                          {ViscosityKind::switched, "switched"},
+                                          {ViscosityKind::bulk, "dissertation"}};
+
+std::vector<std::string> viscosity_names()
+{
+  std::vector<std::string> names;
+  for (const NamedViscosity& viscosity : viscosities)
+    names.emplace_back(viscosity.name);
+  return names;
+}
+
+const Condition no_shape{"a bird without bird.shape", [](const Case& c) { return c.bird.shape.empty(); }};
+const Condition no_mesh{"a bird without bird.mesh", [](const Case& c) { return c.bird.mesh.empty(); }};
+const Condition with_body{"a bird.shape that is not a column",
+                          [](const Case& c) { return !c.bird.shape.empty() && !is_column(c); }};
+const Condition with_column{"a column", is_column};
+const Condition no_column{"a bird that is not a column", [](const Case& c) { return !is_column(c); }};
+
+// clang-format off
+#define SLOT(member) [](Case& c, std::size_t) -> Slot { return &c.member; }
+#define LAW_SLOT(member) [](Case& c, std::size_t row) -> Slot { return &c.laws[row].member; }
+#define PART_SLOT(member) [](Case& c, std::size_t part) -> Slot { return &c.bird.parts[part].member; }
+#define TRANSDUCER_SLOT(member) [](Case& c, std::size_t row) -> Slot { return &c.transducers[row].member; }
+const std::vector<Key>& table()
+{
+  static const std::vector<Key> rows{
+    {"title", number, "", true, {}, "what the case shows, in one line", SLOT(title)},
+    {"source", number, "", false, {}, "where the case comes from", SLOT(source)},
+
+    {"bird.mesh", number, "", true, {}, "mesh file with named parts: a path beside the case, or a file of share/meshes; this or bird.shape", SLOT(bird.mesh), nullptr, &no_shape},
+    {"bird.shape", number, "", true, {}, "substitute bird made from numbers, without a mesh; a column is a stack of layers in a box that repeats sideways, for plane waves", SLOT(bird.shape), bird_shape_names, &no_mesh},
+    {"bird.length_over_diameter", number, "", false, within(0.05, 20), "length over diameter, rounded ends included; a sphere has 1", SLOT(bird.length_over_diameter), nullptr, &with_body},
+    {"bird.columns", number, "", false, within(1, 1000), "cells of a column sideways, each way", SLOT(bird.columns), nullptr, &with_column},
+    {"bird.mesh_unit", length, "m", false, above(0), "length of one unit of the mesh file", SLOT(bird.mesh_unit), nullptr, &no_shape},
+    {"bird.mass", mass, "kg", true, above(0), "mass of the whole bird, met exactly", SLOT(bird.mass), nullptr, &no_column},
+    {"bird.spacing", length, "mm", true, above(0), "distance between particles", SLOT(bird.spacing)},
+    {"bird.velocity", velocity, "m/s", true, above(0), "speed of flight", SLOT(bird.velocity)},
+    {"bird.impact_angle", angle, "deg", false, within(10 * degree * (1 - 1e-12), 90 * degree * (1 + 1e-12)), "between flight path and plate: below 90 deg the bird descends along its own axis towards the middle of the plate", SLOT(bird.impact_angle), nullptr, &no_column},
+    {"bird.gap", length, "mm", false, at_least(0), "distance between bird and target at the start, across the plate", SLOT(bird.gap)},
+    {"bird.smoothing", number, "", false, within(0.8, 3), "smoothing length over spacing", SLOT(bird.smoothing)},
+    {"bird.yaw", angle, "deg", false, {}, "turns the nose to the bird's left, about the vertical axis", SLOT(bird.yaw), nullptr, &no_column},
+    {"bird.pitch", angle, "deg", false, {}, "turns the nose up", SLOT(bird.pitch), nullptr, &no_column},
+    {"bird.roll", angle, "deg", false, {}, "turns the left wing up, about the flight axis", SLOT(bird.roll), nullptr, &no_column},
+    {"bird.parts.*.porosity", number, "", false, within(0, 0.9), "volume share of air in the part's material; required with a law of porous flesh", PART_SLOT(porosity)},
+    {"bird.parts.*.eos", number, "", false, {}, "equation of state of the part", PART_SLOT(eos), law_names, nullptr, nullptr, true},
+    {"bird.parts.*.layers", number, "", false, within(1, 100000), "layers of the part in a column, whose parts are stacked from the plate on in the order of the file", PART_SLOT(layers), nullptr, &with_column},
+
+    {"eos.*.law", number, "", true, {}, "kind of the law; it needs: linear density, bulk_modulus; murnaghan density, B, gamma; polynomial density, C1 [C2, C3, mu_max]; hugoniot density, c0, slope; mie-gruneisen density, c0, slope, gruneisen [slope_2, slope_3, gruneisen_slope]; table file", LAW_SLOT(law), law_kinds},
+    {"eos.*.density", density, "kg/m3", false, above(0), "density at rest; a part scaled to meet the bird's mass keeps the pressure as a function of density / density at rest", LAW_SLOT(density)},
+    {"eos.*.bulk_modulus", pressure, "MPa", false, above(0), "K of p = K (rho/rho0 - 1)", LAW_SLOT(bulk_modulus)},
+    {"eos.*.B", pressure, "MPa", false, above(0), "of p = B [(rho/rho0)^gamma - 1]: bulk modulus over gamma", LAW_SLOT(B)},
+    {"eos.*.gamma", number, "", false, at_least(1), "exponent of Murnaghan's law", LAW_SLOT(gamma)},
+    {"eos.*.C1", pressure, "MPa", false, above(0), "of p = C1 mu + C2 mu^2 + C3 mu^3, mu = rho/rho0 - 1", LAW_SLOT(C1)},
+    {"eos.*.C2", pressure, "MPa", false, {}, "of the polynomial; 0 if not given", LAW_SLOT(C2)},
+    {"eos.*.C3", pressure, "MPa", false, {}, "of the polynomial; 0 if not given", LAW_SLOT(C3)},
+    {"eos.*.mu_max", number, "", false, above(0), "compression up to which the polynomial has to rise; 1 if not given", LAW_SLOT(mu_max)},
+    {"eos.*.c0", velocity, "m/s", false, above(0), "sound speed at rest, of the shock curve us = c0 + slope u", LAW_SLOT(c0)},
+    {"eos.*.slope", number, "", false, at_least(0), "slope of the shock curve", LAW_SLOT(slope)},
+    {"eos.*.slope_2", number, "", false, {}, "S2 of us = c0 + (slope + S2 u/us + S3 (u/us)^2) u; 0 if not given", LAW_SLOT(slope_2)},
+    {"eos.*.slope_3", number, "", false, {}, "S3 of the same; 0 if not given", LAW_SLOT(slope_3)},
+    {"eos.*.gruneisen", number, "", false, at_least(0), "Grueneisen's Gamma at rest", LAW_SLOT(gruneisen)},
+    {"eos.*.gruneisen_slope", number, "", false, {}, "a of rho Gamma = rho0 (gruneisen + a mu); 0 if not given", LAW_SLOT(gruneisen_slope)},
+    {"eos.*.file", number, "", false, {}, "table with the columns density [kg/m3] and pressure [Pa], a path beside the case", LAW_SLOT(file)},
+
+    {"target.plate.size", length, "m", true, above(0), "edge lengths of the plate, sideways and upwards", SLOT(target.size), nullptr, &no_column},
+    {"target.plate.thickness", length, "mm", true, above(0), "thickness of the plate", SLOT(target.thickness), nullptr, &no_column},
+    {"target.plate.elements", number, "", true, within(1, 2000), "number of elements, sideways and upwards", SLOT(target.elements), nullptr, &no_column},
+    {"target.rigid", number, "", false, {}, "the plate does not move; deformable plates are not available yet", SLOT(target.rigid)},
+
+    {"transducers.*.centre", length, "mm", false, {}, "middle of the transducer's face, sideways and upwards from the middle of the plate", TRANSDUCER_SLOT(centre), nullptr, &no_column},
+    {"transducers.*.diameter", length, "mm", true, above(0), "diameter of the face", TRANSDUCER_SLOT(diameter), nullptr, &no_column},
+    {"transducers.*.rise_time", time, "us", false, at_least(0), "10 to 90 % rise time of the single-pole low pass behind the face; 0 for none", TRANSDUCER_SLOT(rise_time), nullptr, &no_column},
+    {"transducers.*.steady_from", number, "", false, at_least(0), "begin of the window of the steady mean, in squash-up times L/u after first contact", TRANSDUCER_SLOT(steady_from), nullptr, &no_column},
+    {"transducers.*.steady_to", number, "", false, above(0), "end of that window", TRANSDUCER_SLOT(steady_to), nullptr, &no_column},
+
+    {"run.end", time, "ms", true, above(0), "simulated time; for a column by default until four fifths of it are shocked", SLOT(run.end_time), nullptr, nullptr, &with_column},
+    {"run.frames", number, "", false, within(1, 100000), "states written after the one at the start, evenly spaced", SLOT(run.frames)},
+    {"run.courant", number, "", false, above_within(0, 1), "share of the largest stable time step", SLOT(run.courant)},
+    {"run.viscosity", number, "", false, {}, "artificial viscosity: limited spares smooth flow; pairwise is Monaghan's, switched the same but for shear; dissertation is the bulk term of equation 5.58", SLOT(run.viscosity.kind), viscosity_names},
+    {"run.viscosity_linear", number, "", false, at_least(0), "coefficient of the term linear in the rate of compression; 1 with pairwise and switched, 0.06 with dissertation", SLOT(run.viscosity.linear)},
+    {"run.viscosity_quadratic", number, "", false, at_least(0), "coefficient of the quadratic term; 2 with pairwise and switched, 1.5 with dissertation", SLOT(run.viscosity.quadratic)},
+    {"run.tension_cutoff", pressure, "MPa", false, at_most(0), "lowest pressure that a particle can carry", SLOT(run.tension_cutoff)},
+    {"run.smoothing_shrink", number, "", false, above_within(0, 1), "smallest smoothing length over its first value", SLOT(run.smoothing_shrink)},
+    {"run.smoothing_growth", number, "", false, at_least(1), "largest smoothing length over its first value", SLOT(run.smoothing_growth)},
+  };
+  return rows;
+}
+#undef SLOT
+#undef LAW_SLOT
+#undef PART_SLOT
+#undef TRANSDUCER_SLOT
+// clang-format on
+
+} // namespace
+
+std::span<const Key> case_keys() { return table(); }
+
+std::string_view name_of(ViscosityKind kind)
+{
+  return std::find_if(std::begin(viscosities), std::end(viscosities),
+                      [kind](const NamedViscosity& v) { return v.kind == kind; })
+      ->name;
+}
+
+ViscosityKind viscosity_kind(std::string_view name)
+{
+  return std::find_if(std::begin(viscosities), std::end(viscosities),
+                      [name](const NamedViscosity& v) { return v.name == name; })
+      ->kind;
+}
+
+} // namespace birdstrike
