@@ -39,4 +39,9 @@ struct ShellMaterial
 //! \return strain across the thickness over the step, from plane stress [-]
 double update(const ShellMaterial& material, const ShellStrain& strain, double dt, ShellPoint& point);
 
+inline bool has_failed(const ShellPoint& point) { return point.damage >= 1; }
+
+//! Has the material a law of failure?
+bool can_fail(const ShellMaterial& material);
+
 } // namespace birdstrike
