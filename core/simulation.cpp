@@ -7,6 +7,7 @@
 #include "core/contact/mirror_contact.h"
 #include "core/error.h"
 #include "core/gauges/bird_history.h"
+#include "core/gauges/target_history.h"
 #include "core/parallel.h"
 #include "core/particles/smoothing_length.h"
 
@@ -32,6 +33,13 @@ struct Stopwatch
   double start = wall_clock();
   ~Stopwatch() { share += wall_clock() - start; }
 };
+
+//! Speed of the bird [m/s].
+double speed_of(const Particles& p)
+{
+  const double mass = total_mass(p);
+  return mass > 0 ? total_momentum(p).norm() / mass : 0;
+}
 
 void check(const Settings& s, const Particles& p, const RigidPlate* plate)
 {
@@ -67,6 +75,11 @@ struct Simulation::State
   Settings settings;
   Particles particles;
   std::optional<RigidPlate> plate;
+  std::optional<MeshTarget> mesh;
+  std::optional<ParticleContact> contact; // with mesh
+  std::vector<double> fx, fy, fz;         // of contact on the particles [N]
+  std::vector<Vector3> node_force;        // of contact on the nodes of mesh [N]
+  std::vector<DeflectionPoint> deflections;
 
   Rates rates;
   SphRates sph;
@@ -82,25 +95,43 @@ struct Simulation::State
   long steps = 0;
   std::optional<double> first_contact;
 
-  State(Particles p, std::optional<RigidPlate> target, const Settings& s, std::vector<Transducer> faces)
+  State(Particles p, Target target, const Settings& s, std::vector<Transducer> faces,
+        std::vector<DeflectionPoint> points)
       : settings(s),
         particles(std::move(p)),
-        plate(std::move(target)),
+        plate(std::move(target.plate)),
+        mesh(std::move(target.mesh)),
+        deflections(std::move(points)),
         sph(s, plate ? &*plate : nullptr),
         neighbours(skin_over_h * particles.initial_smoothing,
                    s.periodic ? Period{s.periodic->size_y, s.periodic->size_z} : Period{}),
         transducers(std::move(faces), particles.spacing)
   {
+    if (!mesh)
+      return;
+    node_force.resize(mesh->mesh().points.size());
+    for (auto* array : {&fx, &fy, &fz})
+      array->resize(particles.size());
+    if (particles.size() > 0) {
+      ContactSettings of_contact = target.contact;
+      if (of_contact.impact_speed <= 0)
+        of_contact.impact_speed = speed_of(particles);
+      contact.emplace(particles, mesh->surface(), of_contact);
+    }
   }
 
-  RigidPlate* target() { return plate ? &*plate : nullptr; }
+  RigidPlate* target_plate() { return plate ? &*plate : nullptr; }
+  Shells* shells() { return mesh ? mesh->shells() : nullptr; }
 
   void start();
   void advance(double dt);
   void kick(double dt);
   void predict(double dt);
   void refresh_neighbours();
-  void evaluate_rates();
+  void evaluate_rates(double dt);
+  void evaluate_contact(double dt);
+  TimeStep find_step();
+  void book_target();
   void book();
 };
 
@@ -111,14 +142,17 @@ void Simulation::State::start()
     array->resize(particles.size());
   ledger.mass = total_mass(particles);
   ledger.initial_momentum = total_momentum(particles);
-  ledger.initial_energy = kinetic_energy(particles) + internal_energy(particles);
   history = make_bird_history(particles);
+  if (mesh)
+    add_target_columns(history, deflections);
   require_finite(particles, rates, time);
   predict(0);
   refresh_neighbours();
-  evaluate_rates(); // finds the density,
+  evaluate_rates(0); // finds the density,
   predict(0);
-  evaluate_rates(); // and with it the forces
+  evaluate_rates(0); // and with it the forces
+  book_target();
+  ledger.initial_energy = kinetic_energy(particles) + internal_energy(particles) + ledger.target.total();
   book();
 }
 
@@ -127,17 +161,25 @@ void Simulation::State::advance(double dt)
   kick(0.5 * dt);
   {
     const Stopwatch watch{shares.contact};
-    ledger.impulse += drift(particles, target(), dt, settings.periodic.has_value());
+    ledger.impulse += drift(particles, target_plate(), dt, settings.periodic.has_value());
+  }
+  if (Shells* structure = shells()) {
+    const Stopwatch watch{shares.shells};
+    structure->drift(dt);
   }
   predict(dt);
   refresh_neighbours();
-  evaluate_rates();
+  evaluate_rates(dt);
   kick(0.5 * dt);
 }
 
-//! Velocity, energy and the plate's impulse by the present rates.
+//! Velocity, energy and the target's impulse by the present rates.
 void Simulation::State::kick(double dt)
 {
+  if (Shells* structure = shells()) {
+    const Stopwatch watch{shares.shells};
+    structure->kick(dt);
+  }
   const Stopwatch watch{shares.particles};
   Particles& p = particles;
   for_each_row(p.size(), [&](std::size_t i) {
@@ -175,6 +217,8 @@ void Simulation::State::predict(double dt)
 void Simulation::State::refresh_neighbours()
 {
   const Stopwatch watch{shares.particles};
+  if (particles.size() == 0)
+    return;
   if (!neighbours.is_stale(particles))
     return;
   if (settings.periodic) // back into the box
@@ -185,15 +229,18 @@ void Simulation::State::refresh_neighbours()
   const std::vector<std::int32_t>& order = neighbours.sort(particles);
   reorder(particles, order);
   rates.reorder(order);
+  if (contact)
+    contact->reorder(order);
   std::vector<double> scratch;
   for (auto* array : {&trial_vx, &trial_vy, &trial_vz, &trial_density, &trial_energy})
     reorder(*array, order, scratch);
   neighbours.build(particles);
 }
 
-void Simulation::State::evaluate_rates()
+//! Forces at the end of a step of length \p dt.
+void Simulation::State::evaluate_rates(double dt)
 {
-  {
+  if (particles.size() > 0) {
     const Stopwatch watch{shares.particles};
     sph.evaluate(particles, trial_vx, trial_vy, trial_vz, trial_density, trial_energy, neighbours, rates);
     particles.density = rates.summed_density;
@@ -205,6 +252,56 @@ void Simulation::State::evaluate_rates()
     if (!first_contact && ledger.contact_force[0] > 0)
       first_contact = time;
   }
+  if (Shells* structure = shells()) {
+    const Stopwatch watch{shares.shells};
+    structure->evaluate(dt, time);
+  }
+  if (contact)
+    evaluate_contact(dt);
+}
+
+void Simulation::State::evaluate_contact(double dt)
+{
+  const Stopwatch watch{shares.contact};
+  std::fill(node_force.begin(), node_force.end(), Vector3::Zero());
+  contact->evaluate(particles, trial_vx, trial_vy, trial_vz, mesh->surface(), dt, fx, fy, fz, node_force,
+                    mesh->loads);
+  for_each_row(particles.size(), [&](std::size_t i) {
+    rates.ax[i] += fx[i] / particles.mass[i];
+    rates.ay[i] += fy[i] / particles.mass[i];
+    rates.az[i] += fz[i] / particles.mass[i];
+    rates.wall_force[i] = fx[i];
+  });
+  if (Shells* structure = mesh->shells())
+    structure->add_contact(node_force);
+  ledger.contact_force = contact->force_on_target();
+  if (!first_contact && contact->touching() > 0)
+    first_contact = time;
+}
+
+//! The smallest limit of particles, shells and contact.
+TimeStep Simulation::State::find_step()
+{
+  std::vector<TimeStep> others;
+  if (const Shells* structure = shells())
+    others.push_back({structure->stable_step(), "shells"});
+  if (contact)
+    others.push_back({settings.courant * contact->stable_step(), "contact"});
+  return stable_time_step(particles, rates, settings, others, stable, time);
+}
+
+void Simulation::State::book_target()
+{
+  if (contact) {
+    ledger.contact = contact->energy().stored;
+    ledger.contact_released = contact->energy().released;
+    ledger.friction = contact->energy().friction;
+  }
+  if (const Shells* structure = shells()) {
+    ledger.target = structure->energy();
+    ledger.target_momentum = structure->momentum();
+    ledger.support_impulse = structure->support_impulse();
+  }
 }
 
 void Simulation::State::book()
@@ -213,19 +310,27 @@ void Simulation::State::book()
   ledger.momentum = total_momentum(particles);
   ledger.kinetic = kinetic_energy(particles);
   ledger.internal = internal_energy(particles);
+  book_target();
   double highest = 0;
+  if (mesh)
+    for (const double pressure : mesh->loads.pressure)
+      highest = std::max(highest, pressure);
   if (plate)
     for (const Vector3& force : plate->force)
       highest = std::max(highest, force[0] / plate->element_area());
   record(history, particles, ledger, time, step.size, highest);
+  if (mesh)
+    record_target(history, *mesh, deflections, ledger, contact ? contact->leaked() : 0);
   transducers.record(particles, rates, time);
 }
 
-Simulation::Simulation(Particles particles, std::optional<RigidPlate> plate, const Settings& settings,
-                       std::vector<Transducer> transducers)
+Simulation::Simulation(Particles particles, Target target, const Settings& settings,
+                       std::vector<Transducer> transducers, std::vector<DeflectionPoint> deflections)
 {
-  check(settings, particles, plate ? &*plate : nullptr);
-  state_ = std::make_unique<State>(std::move(particles), std::move(plate), settings, std::move(transducers));
+  check(settings, particles, target.plate ? &*target.plate : nullptr);
+  require(particles.size() > 0 || target.mesh, "there is neither a bird nor a target that could move");
+  state_ = std::make_unique<State>(std::move(particles), std::move(target), settings, std::move(transducers),
+                                   std::move(deflections));
 }
 
 Simulation::~Simulation() = default;
@@ -247,7 +352,7 @@ void Simulation::run(Observer& observer)
   for (int frame = 1; frame <= s.settings.frames; ++frame) {
     const double frame_time = s.settings.end_time * frame / s.settings.frames;
     while (s.time < frame_time) {
-      s.stable = stable_time_step(s.particles, s.rates, s.settings, s.stable, s.time);
+      s.stable = s.find_step();
       const double left = frame_time - s.time;
       s.step = {fit_to_frame(s.stable.size, left), s.stable.limit};
       s.time = s.step.size >= left ? frame_time : s.time + s.step.size;
@@ -262,7 +367,9 @@ void Simulation::run(Observer& observer)
 
 const Settings& Simulation::settings() const { return state_->settings; }
 const Particles& Simulation::particles() const { return state_->particles; }
-const RigidPlate* Simulation::plate() const { return state_->target(); }
+const RigidPlate* Simulation::plate() const { return state_->target_plate(); }
+const MeshTarget* Simulation::mesh_target() const { return state_->mesh ? &*state_->mesh : nullptr; }
+const ParticleContact* Simulation::contact() const { return state_->contact ? &*state_->contact : nullptr; }
 const History& Simulation::history() const { return state_->history; }
 const History& Simulation::transducer_history() const { return state_->transducers.history(); }
 const Ledger& Simulation::ledger() const { return state_->ledger; }

@@ -2,12 +2,13 @@
 // The one loop over time: bird particles against a target.
 #pragma once
 
-#include "core/contact/rigid_plate.h"
 #include "core/gauges/history.h"
 #include "core/gauges/ledger.h"
+#include "core/gauges/target_history.h"
 #include "core/gauges/transducer.h"
 #include "core/particles/particles.h"
 #include "core/settings.h"
+#include "core/target.h"
 #include "core/time_step.h"
 
 #include <memory>
@@ -28,15 +29,17 @@ struct Observer
 //! Seconds spent in the parts of a run.
 struct Shares
 {
-  double particles = 0, contact = 0, gauges = 0, writing = 0, total = 0; //!< wall time [s]
+  double particles = 0, shells = 0, contact = 0, gauges = 0, writing = 0, total = 0; //!< wall time [s]
 };
 
 class Simulation
 {
 public:
-  //! \throw InputError if the settings are out of range, or a particle starts behind or inside the plate
-  Simulation(Particles particles, std::optional<RigidPlate> plate, const Settings& settings,
-             std::vector<Transducer> transducers = {});
+  //! \param particles    of the bird; none for a structure under loads alone
+  //! \param deflections  nodes of a mesh target that histories follow
+  //! \throw InputError if the settings are out of range, or a particle starts behind the plate or in touch with the target
+  Simulation(Particles particles, Target target, const Settings& settings,
+             std::vector<Transducer> transducers = {}, std::vector<DeflectionPoint> deflections = {});
   ~Simulation();
   Simulation(Simulation&&) noexcept;
 
@@ -47,8 +50,10 @@ public:
   const Settings& settings() const;
   const Particles&
   particles() const;               //!< rows in the order of the moment; particles().id tells which is which
-  const RigidPlate* plate() const; //!< null without a target
-  const History& history() const;  //!< one row per step, and one at t = 0; columns in gauges/history_columns
+  const RigidPlate* plate() const; //!< null where the target is none
+  const MeshTarget* mesh_target() const;  //!< null where the target is none
+  const ParticleContact* contact() const; //!< of a mesh target with a bird, else null
+  const History& history() const; //!< one row per step, and one at t = 0; columns in gauges/history_columns
   const History& transducer_history() const; //!< the same rows; see TransducerGauges
   const Ledger& ledger() const;              //!< mass, momentum, energy; now and at the start
   const Shares& shares() const;

@@ -45,8 +45,8 @@ struct Candidate
 
 } // namespace
 
-TimeStep stable_time_step(const Particles& p, const Rates& r, const Settings& settings, const TimeStep& last,
-                          double time)
+TimeStep stable_time_step(const Particles& p, const Rates& r, const Settings& settings,
+                          const std::vector<TimeStep>& others, const TimeStep& last, double time)
 {
   const double alpha = settings.viscosity.linear, beta = settings.viscosity.quadratic;
   const Candidate best = ordered_reduce(
@@ -72,6 +72,9 @@ TimeStep stable_time_step(const Particles& p, const Rates& r, const Settings& se
     if (size < step.size)
       step = {size, limits[k]};
   }
+  for (const TimeStep& other : others)
+    if (other.size < step.size)
+      step = other;
   if (last.size > 0 && step.size > largest_growth * last.size)
     step = {largest_growth * last.size, "growth"};
   if (!(step.size > 1e-12 * settings.end_time))

@@ -5,13 +5,15 @@
 #include "core/particles/sph_rates.h"
 
 #include <string_view>
+#include <vector>
 
 namespace birdstrike {
 
 struct TimeStep
 {
-  double size = 0;                  //!< [s]
-  std::string_view limit = "start"; //!< "sound", "acceleration", "compression", "flight" or "growth"
+  double size = 0; //!< [s]
+  std::string_view limit =
+      "start"; //!< "sound", "acceleration", "compression", "flight", "shells", "contact" or "growth"
 };
 
 //! The smallest over all particles of
@@ -22,10 +24,11 @@ struct TimeStep
 //!   flight        C h / |v|: nobody meets the target within one step before having felt it
 //! where C is settings.courant. Never more than 1.2 times \p last.size, so that a calm moment does not make the step
 //! jump.
-//! \param last  the one before, not shortened; size 0 at the start
+//! \param others  limits of shells and contact, with their names
+//! \param last    the one before, not shortened; size 0 at the start
 //! \throw RunError if the step has become too small to go on
 TimeStep stable_time_step(const Particles& particles, const Rates& rates, const Settings& settings,
-                          const TimeStep& last, double time);
+                          const std::vector<TimeStep>& others, const TimeStep& last, double time);
 
 //! The size [s] that lets a step's end fall on the end of the interval that is left.
 double fit_to_frame(double size, double left);

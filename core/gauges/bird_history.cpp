@@ -41,6 +41,8 @@ std::vector<double> maxima(const Particles& p, const std::vector<double>& values
         for (std::size_t k = 0; k < a.size(); ++k)
           a[k] = std::max(a[k], b[k]);
       });
+  if (of_part.empty()) // no bird
+    return {0};
   of_part.insert(of_part.begin(), *std::max_element(of_part.begin(), of_part.end()));
   return of_part;
 }

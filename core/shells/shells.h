@@ -6,6 +6,7 @@
 #include "core/shells/hourglass.h"
 #include "core/shells/loads.h"
 #include "core/shells/mesh.h"
+#include "core/shells/shell_energy.h"
 #include "core/shells/supports.h"
 
 #include <optional>
@@ -34,20 +35,6 @@ struct ShellSettings
   double failed_share =
       1; //!< of the points through the thickness; an element with so many failed is eroded [-]
   std::optional<SteadySpin> spin;
-};
-
-//! Where the energy of a structure is [J].
-struct ShellEnergy
-{
-  double kinetic = 0;
-  double internal = 0;  //!< work of the stresses in elements that stand, plastic work included
-  double plastic = 0;   //!< share of it that plastic flow has taken
-  double hourglass = 0; //!< work against hourglass motion
-  double damped = 0;    //!< taken by damping
-  double eroded = 0;    //!< internal and hourglass energy of eroded elements
-  double external = 0;  //!< work of loads and moving supports, contact not counted; not a part of total()
-
-  double total() const { return kinetic + internal + hourglass + damped + eroded; }
 };
 
 class Shells

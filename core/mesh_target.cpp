@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/mesh_target.h"
+
+#include "core/error.h"
+
+#include <limits>
+
+namespace birdstrike {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+//! rho c^2 of a wave across the thickness, which strains nothing sideways [Pa].
+double modulus_across(const ShellMaterial& m)
+{
+  return m.young * (1 - m.poisson) / ((1 + m.poisson) * (1 - 2 * m.poisson));
+}
+
+} // namespace
+
+MeshTarget::MeshTarget(Shells shells) : shells_(std::move(shells))
+{
+  for (std::size_t e = 0; e < shells_->mesh().elements.size(); ++e)
+    modulus_.push_back(modulus_across(shells_->section_of(e).material));
+}
+
+MeshTarget::MeshTarget(ShellMesh rigid) : rigid_(std::move(rigid))
+{
+  const auto nodes = static_cast<std::int32_t>(rigid_.points.size());
+  for (std::size_t e = 0; e < rigid_.elements.size(); ++e) {
+    for (const std::int32_t node : rigid_.elements[e])
+      require(node >= 0 && node < nodes, "element " + std::to_string(e) + " of the target names node " +
+                                             std::to_string(node) + ", which is not there");
+    const ShellMeshPart& part = rigid_.parts.at(rigid_.part_of(e));
+    require(part.thickness > 0, "part " + part.name + " of the target has no thickness");
+    thickness_.push_back(part.thickness);
+  }
+  rest_.assign(rigid_.points.size(), Vector3::Zero());
+  mass_.assign(rigid_.points.size(), infinite);
+  modulus_.assign(rigid_.elements.size(), infinite);
+  gone_.assign(rigid_.elements.size(), 0);
+}
+
+ContactSurface MeshTarget::surface() const
+{
+  if (shells_)
+    return {shells_->mesh(),    shells_->position, shells_->velocity, shells_->mass(),
+            shells_->thickness, modulus_,          shells_->gone};
+  return {rigid_, rigid_.points, rest_, mass_, thickness_, modulus_, gone_};
+}
+
+Vector3 MeshTarget::displacement(std::size_t node) const
+{
+  return shells_ ? Vector3(shells_->position[node] - shells_->mesh().points[node]) : Vector3(Vector3::Zero());
+}
+
+double MeshTarget::area(std::size_t element) const
+{
+  const ShellElement& corners = mesh().elements[element];
+  const std::vector<Vector3>& at = shells_ ? shells_->position : rigid_.points;
+  const auto corner = [&](std::size_t k) { return at[static_cast<std::size_t>(corners[k])]; };
+  if (is_triangle(corners))
+    return 0.5 * (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
+  return 0.5 * (corner(2) - corner(0)).cross(corner(3) - corner(1)).norm();
+}
+
+} // namespace birdstrike

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A target of any shape: a shell structure, or a mesh that nothing moves.
+#pragma once
+
+#include "core/contact/contact_surface.h"
+#include "core/shells/shells.h"
+
+#include <optional>
+#include <vector>
+
+namespace birdstrike {
+
+class MeshTarget
+{
+public:
+  //! A structure that bends, yields and breaks.
+  explicit MeshTarget(Shells shells);
+
+  //! A rigid body: its surface with the thicknesses of its parts.
+  //! \throw InputError naming a part without thickness, or an element that names a node that is not there
+  explicit MeshTarget(ShellMesh rigid);
+
+  const ShellMesh& mesh() const { return shells_ ? shells_->mesh() : rigid_; }
+  const Shells* shells() const { return shells_ ? &*shells_ : nullptr; } //!< null where rigid
+  Shells* shells() { return shells_ ? &*shells_ : nullptr; }
+
+  //! What contact sees now; holds until the next call or step.
+  ContactSurface surface() const;
+
+  ElementLoads loads; //!< of the bird on the elements
+
+  //! Displacement of a node since the start [m].
+  Vector3 displacement(std::size_t node) const;
+  double area(std::size_t element) const; //!< now [m2]
+  bool is_gone(std::size_t element) const { return shells_ && shells_->gone[element]; }
+
+private:
+  std::optional<Shells> shells_;
+  ShellMesh rigid_;
+  std::vector<Vector3> rest_;                      // velocities of a rigid body
+  std::vector<double> mass_, thickness_, modulus_; // of a rigid body; the modulus of shells, too
+  std::vector<std::uint8_t> gone_;
+};
+
+} // namespace birdstrike
