@@ -51,7 +51,7 @@ struct PlasticHeat
     if (exponent == 0)
       return 1;
     const double T = homologous(rise);
-    return T > 0 ? std::max(1 - std::pow(T, exponent), least_factor) : 1;
+    return T > 0 ? std::max(1 - std::exp(exponent * std::log(T)), least_factor) : 1;
   }
 };
 

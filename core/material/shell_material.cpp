@@ -11,7 +11,7 @@
 namespace birdstrike {
 namespace {
 
-constexpr double tolerance = 1e-9; // of q over the yield stress
+constexpr double tolerance = 2e-9; // of q over the yield stress
 constexpr int most_iterations = 200;
 
 //! Stress by sum and difference: xx = a + b, yy = a - b, so that q^2 = a^2 + 3 (b^2 + xy^2 + yz^2 + zx^2).
@@ -43,15 +43,16 @@ struct Moduli
 struct Returned
 {
   double sum_factor, shear_factor; //!< on the trial stress
-  double q;                        //!< [Pa]
+  double q, inverse_q;             //!< [Pa], [1/Pa]
   double plastic_strain;           //!< lambda q [-]
 };
 
 Returned returned(double lambda, const Moduli& k, double a_2, double shears_2)
 {
-  const double s = 1 / (1 + k.sum * lambda), t = 1 / (1 + k.shear * lambda);
-  const double q = std::sqrt(a_2 * s * s + shears_2 * t * t);
-  return {s, t, q, lambda * q};
+  const double sums = 1 + k.sum * lambda, shears = 1 + k.shear * lambda;
+  const double both = 1 / (sums * shears), s = both * shears, t = both * sums; // one division
+  const double q_2 = a_2 * s * s + shears_2 * t * t, inverse_q = 1 / std::sqrt(q_2), q = q_2 * inverse_q;
+  return {s, t, q, inverse_q, lambda * q};
 }
 
 //! Lambda of the end state, and it.
@@ -66,9 +67,10 @@ std::pair<double, Returned> flow(const HardeningLaw& hardens, const Rate& hasten
   // At the upper bound q is at most the slow yield stress of the begin, which the end's cannot fall below.
   double low = 0, high = excess / std::min(k.sum, k.shear);
   double lambda = excess / k.shear;
-  if (const double guess = point.plastic_rate / std::max(inverse_dt, 1e-300), left = trial - k.shear * guess;
-      inverse_dt > 0 && guess > 0 && left > 0)
-    lambda = guess / left;
+  if (inverse_dt > 0 && point.plastic_rate > 0) { // about as fast as in the step before
+    const double guess = point.plastic_rate / inverse_dt;
+    lambda = guess / (trial - k.shear * guess);
+  }
   if (!(lambda > 0 && lambda < high))
     lambda = high;
 
@@ -77,22 +79,34 @@ std::pair<double, Returned> flow(const HardeningLaw& hardens, const Rate& hasten
     const YieldPoint slow = hardens.at(point.plastic_strain + at.plastic_strain);
     const RateFactor fast = hastens.at(at.plastic_strain * inverse_dt);
     slow_yield = slow.stress * point.softening;
-    const double yield = slow_yield * fast.factor, value = yield / at.q - 1;
+    const double yield = slow_yield * fast.factor, value = yield * at.inverse_q - 1;
     if (std::abs(value) < tolerance)
       return {lambda, at};
     (value < 0 ? low : high) = lambda;
-    // q' = -(1/q) [a^2 K s + shears^2 3G t], both stresses those of the end.
-    const double sums = a_2 * at.sum_factor * at.sum_factor,
-                 shears = shears_2 * at.shear_factor * at.shear_factor;
-    const double q_slope = -(sums * k.sum * at.sum_factor + shears * k.shear * at.shear_factor) / at.q;
-    const double strain_slope = at.q + lambda * q_slope;
-    const double yield_slope =
-        (slow.slope * point.softening * fast.factor + slow_yield * fast.slope * inverse_dt) * strain_slope;
-    const double next = lambda - value / ((yield_slope - yield * q_slope / at.q) / at.q);
-    if (next > low && next < high)
-      lambda = next;
-    else // the bounds can be many decades apart
+    // q' / q = -[a^2 K s + shears^2 3G t] / q^2, both stresses those of the end.
+    const double s = at.sum_factor, t = at.shear_factor;
+    const double fall =
+        (a_2 * k.sum * s * s * s + shears_2 * k.shear * t * t * t) * at.inverse_q * at.inverse_q;
+    const double yield_over_strain =
+        slow.slope * point.softening * fast.factor + slow_yield * fast.slope * inverse_dt;
+    // d(plastic strain) / d(lambda) is q (1 - lambda fall).
+    const double slope = yield_over_strain * (1 - lambda * fall) + yield * at.inverse_q * fall;
+    const double next = lambda - value / slope;
+    if (!(next > low && next < high)) { // the bounds can be many decades apart
       lambda = low > 0 ? std::sqrt(low) * std::sqrt(high) : 0.01 * high;
+      continue;
+    }
+    // What is left after this step, by its second order: x^2 f'' is at most x f' for powers and logarithms, and that of
+    // 1/q at most (3G lambda)^2.
+    const double share = next / lambda - 1, turn = std::min(k.shear * lambda, 1.0);
+    const double left =
+        0.5 * share * share * (yield_over_strain * at.plastic_strain * at.inverse_q + turn * turn);
+    lambda = next;
+    if (left < tolerance) {
+      const Returned end = returned(lambda, k, a_2, shears_2);
+      slow_yield += slow.slope * point.softening * (end.plastic_strain - at.plastic_strain);
+      return {lambda, end};
+    }
   }
   const Returned inside = returned(high, k, a_2, shears_2);
   slow_yield = hardens.at(point.plastic_strain + inside.plastic_strain).stress * point.softening;

@@ -56,7 +56,7 @@ struct ShellMaterial
 //! in lambda = d eps_p / q, as xx + yy, xx - yy and the shears shrink each by their own factor:
 //!   1 / (1 + E lambda / (2 (1 - nu))) for the sum, 1 / (1 + 3 G lambda) for the others;
 //! it has exactly one root, which Newton's method finds between two bounds that always enclose it. The end state is on
-//! the surface to 1e-9 for any finite strain (up to 1e100); a strain that is not a number makes the stress none.
+//! the surface to 1e-8 for any finite strain (up to 1e100); a strain that is not a number makes the stress none.
 //! The rate is that of plastic strain over the step itself, solved for with the rest: the yield stress then acts as a
 //! viscosity that only damps, stable at any dt, while a rate taken from the step before swings at dt below the time
 //! in which stress follows rate. Temperature is that of the step's begin.
