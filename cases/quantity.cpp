@@ -22,7 +22,7 @@ struct Row
   std::string_view name, article, unit, example;
 };
 // In the order of Dimension.
-constexpr std::array<Row, 8> rows{{
+constexpr std::array<Row, 11> rows{{
     {"number", "a", "", "1.25"},
     {"length", "a", "m", "6 mm"},
     {"mass", "a", "kg", "4 kg"},
@@ -31,6 +31,9 @@ constexpr std::array<Row, 8> rows{{
     {"pressure", "a", "Pa", "-1 MPa"},
     {"angle", "an", "rad", "5 deg"},
     {"density", "a", "kg/m3", "950 kg/m3"},
+    {"rate", "a", "1/s", "40.4 1/s"},
+    {"temperature", "a", "K", "293 K"},
+    {"specific heat", "a", "J/kg/K", "896 J/kg/K"},
 }};
 const Row& row_of(Dimension dimension) { return rows[static_cast<std::size_t>(dimension)]; }
 

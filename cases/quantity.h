@@ -20,11 +20,15 @@ enum class Dimension
   time,
   pressure,
   angle,
-  density
+  density,
+  rate,
+  temperature, //!< degrees Celsius ("20 degC") are turned to K
+  specific_heat
 };
 
-std::string_view
-si_unit(Dimension dimension); //!< "m", "kg", "m/s", "s", "Pa", "rad", "kg/m3"; "" for a number
+std::string_view si_unit(
+    Dimension
+        dimension); //!< "m", "kg", "m/s", "s", "Pa", "rad", "kg/m3", "1/s", "K", "J/kg/K"; "" for a number
 std::string_view dimension_name(Dimension dimension); //!< "length", ...
 
 //! Value of \p text in SI, for example "6 mm" -> 0.006. Any unit that UDUNITS-2 knows will do: lb is a mass,
