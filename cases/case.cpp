@@ -4,6 +4,7 @@
 
 #include "cases/case_entries.h"
 #include "cases/column.h"
+#include "cases/complete_target.h"
 #include "cases/keys.h"
 #include "core/error.h"
 
@@ -25,12 +26,17 @@ public:
   void operator()(int* slot) const { *slot = integer(single()); }
   void operator()(std::array<double, 2>* slot) const
   {
-    pair();
+    list_of(2);
     *slot = {real(entry_.values[0]), real(entry_.values[1])};
+  }
+  void operator()(std::array<double, 3>* slot) const
+  {
+    list_of(3);
+    *slot = {real(entry_.values[0]), real(entry_.values[1]), real(entry_.values[2])};
   }
   void operator()(std::array<int, 2>* slot) const
   {
-    pair();
+    list_of(2);
     *slot = {integer(entry_.values[0]), integer(entry_.values[1])};
   }
   void operator()(bool* slot) const
@@ -56,9 +62,9 @@ private:
     return entry_.values.front();
   }
 
-  void pair() const
+  void list_of(std::size_t count) const
   {
-    if (!entry_.is_list || entry_.values.size() != 2)
+    if (!entry_.is_list || entry_.values.size() != count)
       fail(kind_of(key_) + " is needed");
   }
 
@@ -210,15 +216,27 @@ void check_part_laws(const Case& parsed, const std::map<std::string, std::string
   }
 }
 
+std::string bird_of(const Case& parsed)
+{
+  return fmt::format("bird.{} = {}", parsed.bird.shape.empty() ? "mesh" : "shape",
+                     toml_string(parsed.bird.shape.empty() ? parsed.bird.mesh : parsed.bird.shape));
+}
+
+std::string target_of(const Case& parsed)
+{
+  return fmt::format("target.shape = {} and target.rigid = {}", toml_string(parsed.target.shape),
+                     parsed.target.rigid);
+}
+
 //! Nobody should think that a key does something where it does not.
 void refuse_idle_keys(const Case& parsed, const std::vector<Entry>& entries)
 {
   for (const Entry& entry : entries)
     if (const Key* key = find_key(entry.path); key && key->only && !key->only->holds(parsed))
       throw InputError(fmt::format(
-          "{}: {} = {}: this key is only for {}, and this case has bird.{} = {}", entry.place,
-          join(entry.path), entry.found, key->only->text, parsed.bird.shape.empty() ? "mesh" : "shape",
-          toml_string(parsed.bird.shape.empty() ? parsed.bird.mesh : parsed.bird.shape)));
+          "{}: {} = {}: this key is only for {}, and this case has {}", entry.place, join(entry.path),
+          entry.found, key->only->text,
+          entry.path.front() == "bird" ? bird_of(parsed) : bird_of(parsed) + ", " + target_of(parsed)));
 }
 
 void check_bird(Case& parsed, const std::set<std::string>& given, const std::string& file)
@@ -316,10 +334,7 @@ Case read_case_with(const std::filesystem::path& file, const std::vector<Entry>&
     parsed.run.viscosity.linear = usual.linear;
   if (!given.contains("run.viscosity_quadratic"))
     parsed.run.viscosity.quadratic = usual.quadratic;
-  if (!parsed.target.rigid)
-    throw InputError(
-        fmt::format("{}: target.rigid = false: deformable targets are not available yet; allowed is true",
-                    file.string()));
+  complete_target(parsed, given.contains("target.contact"));
   check_tables(parsed, file.string());
   if (is_column(parsed))
     complete_column(parsed, given.contains("run.end"));

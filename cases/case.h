@@ -4,6 +4,7 @@
 #pragma once
 
 #include "cases/law_case.h"
+#include "cases/target_case.h"
 #include "core/settings.h"
 
 #include <array>
@@ -42,14 +43,6 @@ struct BirdCase
   std::vector<PartCase> parts;                  //!< in the order of the file
 };
 
-struct TargetCase
-{
-  std::array<double, 2> size{};      //!< along y and z [m]
-  double thickness = 0;              //!< [m]
-  std::array<int, 2> elements{1, 1}; //!< along y and z
-  bool rigid = true;
-};
-
 struct TransducerCase
 {
   std::string name;
@@ -65,6 +58,7 @@ struct Case
   BirdCase bird;
   TargetCase target;
   std::vector<TransducerCase> transducers; //!< in the order of the file
+  std::vector<DeflectionCase> deflections; //!< points whose displacement histories follow
   Settings run;
   std::vector<LawCase> laws; //!< tables [eos.NAME], in the order of the file
 

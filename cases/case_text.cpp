@@ -52,12 +52,14 @@ std::string to_toml(const Case& parsed)
         open(prefix + (is_bare(names[row]) ? names[row] : toml_string(names[row])));
         for (const Key& of_row : case_keys())
           if (of_row.path.starts_with(prefix + "*.") && (!of_row.only || of_row.only->holds(values)) &&
-              !(prefix == "eos." && is_empty(of_row.slot(values, row))))
+              !is_empty(of_row.slot(values, row)))
             line(of_row, fmt::format("{}{}.{}", prefix, names[row], of_row.path.substr(star + 2)),
                  std::string(of_row.path.substr(star + 2)), row);
       }
       continue;
     }
+    if (path.starts_with("target.") && is_empty(key.slot(values, 0)))
+      continue;
     if (dot != std::string::npos)
       open(path.substr(0, dot));
     line(key, path, dot == std::string::npos ? path : path.substr(dot + 1), 0);

@@ -38,7 +38,13 @@ constexpr std::array named_tables{
     NamedTable{"transducers.", [](const Case& c) { return names_of(c.transducers); },
                [](Case& c, const std::string& name) { c.transducers.push_back({.name = name}); }},
     NamedTable{"eos.", [](const Case& c) { return names_of(c.laws); },
-               [](Case& c, const std::string& name) { c.laws.emplace_back().name = name; }}};
+               [](Case& c, const std::string& name) { c.laws.emplace_back().name = name; }},
+    NamedTable{"target.parts.", [](const Case& c) { return names_of(c.target.parts); },
+               [](Case& c, const std::string& name) { c.target.parts.push_back({.name = name}); }},
+    NamedTable{"target.supports.", [](const Case& c) { return names_of(c.target.supports); },
+               [](Case& c, const std::string& name) { c.target.supports.push_back({.name = name}); }},
+    NamedTable{"deflections.", [](const Case& c) { return names_of(c.deflections); },
+               [](Case& c, const std::string& name) { c.deflections.push_back({.name = name}); }}};
 
 const NamedTable* table_of(std::string_view path)
 {
@@ -57,7 +63,7 @@ std::size_t row_named(Case& parsed, const NamedTable& named, const std::string& 
   return row;
 }
 
-//! A Case with one part, one transducer and one law, to look defaults up in.
+//! A Case with one row in every table of names, to look defaults up in.
 Case& defaults()
 {
   static Case values = [] {
@@ -65,6 +71,9 @@ Case& defaults()
     c.bird.parts.emplace_back();
     c.transducers.emplace_back();
     c.laws.emplace_back();
+    c.target.parts.emplace_back();
+    c.target.supports.emplace_back();
+    c.deflections.emplace_back();
     return c;
   }();
   return values;
@@ -156,22 +165,29 @@ std::string kind_of(const Key& key)
 {
   const std::string quantity =
       fmt::format("a{} {}", key.dimension == angle ? "n" : "", dimension_name(key.dimension));
-  return std::visit(Overload{
-                        [&](double*) { return quantity; },
-                        [&](std::array<double, 2>*) {
-                          return fmt::format("a list of two {}s with units", dimension_name(key.dimension));
-                        },
-                        [](int*) { return std::string("an integer"); },
-                        [](std::array<int, 2>*) { return std::string("a list of two integers"); },
-                        [](bool*) { return std::string("true or false"); },
-                        [&](auto*) {
-                          return key.choices
-                                     ? fmt::format("one of \"{}\"{}", fmt::join(key.choices(), "\", \""),
-                                                   key.or_law ? " or the name of an [eos.NAME]" : "")
-                                     : std::string("a text in quotes");
-                        },
-                    },
-                    key.slot(defaults(), 0));
+  return std::visit(
+      Overload{
+          [&](double*) { return quantity; },
+          [&](std::array<double, 2>*) {
+            return key.dimension == number
+                       ? std::string("a list of two numbers")
+                       : fmt::format("a list of two {}s with units", dimension_name(key.dimension));
+          },
+          [&](std::array<double, 3>*) {
+            return key.dimension == number
+                       ? std::string("a list of three numbers")
+                       : fmt::format("a list of three {}s with units", dimension_name(key.dimension));
+          },
+          [](int*) { return std::string("an integer"); },
+          [](std::array<int, 2>*) { return std::string("a list of two integers"); },
+          [](bool*) { return std::string("true or false"); },
+          [&](auto*) {
+            return key.choices ? fmt::format("one of \"{}\"{}", fmt::join(key.choices(), "\", \""),
+                                             key.or_law ? " or the name of an [eos.NAME]" : "")
+                               : std::string("a text in quotes");
+          },
+      },
+      key.slot(defaults(), 0));
 }
 
 std::string describe(const Range& in_si, Dimension dimension)
@@ -213,6 +229,8 @@ bool is_empty(const Slot& slot)
     return std::isnan(**number);
   if (std::string* const* text = std::get_if<std::string*>(&slot))
     return (*text)->empty();
+  if (std::array<double, 3>* const* three = std::get_if<std::array<double, 3>*>(&slot))
+    return std::isnan((**three)[0]);
   return false;
 }
 
@@ -229,6 +247,10 @@ std::string to_toml(const Slot& slot, const Key& key)
           [&](double* value) { return quantity(*value); },
           [&](std::array<double, 2>* value) {
             return fmt::format("[{}, {}]", quantity((*value)[0]), quantity((*value)[1]));
+          },
+          [&](std::array<double, 3>* value) {
+            return fmt::format("[{}, {}, {}]", quantity((*value)[0]), quantity((*value)[1]),
+                               quantity((*value)[2]));
           },
           [](int* value) { return fmt::format("{}", *value); },
           [](std::array<int, 2>* value) { return fmt::format("[{}, {}]", (*value)[0], (*value)[1]); },

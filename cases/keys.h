@@ -17,8 +17,8 @@
 namespace birdstrike {
 
 //! Where a key's value lives in a Case; the type of the pointer is the type of the key.
-using Slot = std::variant<double*, int*, bool*, std::string*, std::array<double, 2>*, std::array<int, 2>*,
-                          ViscosityKind*>;
+using Slot = std::variant<double*, int*, bool*, std::string*, std::array<double, 2>*, std::array<double, 3>*,
+                          std::array<int, 2>*, ViscosityKind*>;
 
 //! Allowed values of a number or a quantity, in SI.
 struct Range

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table of keys itself: one row a key.
+#include "cases/key_ranges.h"
 #include "cases/keys.h"
 
 #include "core/material/porous_bird.h"
@@ -11,12 +12,6 @@ namespace birdstrike {
 namespace {
 
 using enum Dimension;
-
-Range above(double low) { return {low, {}, true}; }
-Range at_least(double low) { return {low, {}, false}; }
-Range at_most(double high) { return {{}, high, false}; }
-Range within(double low, double high) { return {low, high, false}; }
-Range above_within(double low, double high) { return {low, high, true}; }
 
 std::vector<std::string> law_names()
 {
@@ -47,15 +42,17 @@ const Condition with_body{"a bird.shape that is not a column",
                           [](const Case& c) { return !c.bird.shape.empty() && !is_column(c); }};
 const Condition with_column{"a column", is_column};
 const Condition no_column{"a bird that is not a column", [](const Case& c) { return !is_column(c); }};
+const Condition flat_target{"a flat plate and a bird that is not a column",
+                            [](const Case& c) { return !is_column(c) && c.target.shape == "plate"; }};
 
 // clang-format off
 #define SLOT(member) [](Case& c, std::size_t) -> Slot { return &c.member; }
 #define LAW_SLOT(member) [](Case& c, std::size_t row) -> Slot { return &c.laws[row].member; }
 #define PART_SLOT(member) [](Case& c, std::size_t part) -> Slot { return &c.bird.parts[part].member; }
 #define TRANSDUCER_SLOT(member) [](Case& c, std::size_t row) -> Slot { return &c.transducers[row].member; }
-const std::vector<Key>& table()
+std::vector<Key> rows_before_target()
 {
-  static const std::vector<Key> rows{
+  return {
     {"title", number, "", true, {}, "what the case shows, in one line", SLOT(title)},
     {"source", number, "", false, {}, "where the case comes from", SLOT(source)},
 
@@ -94,16 +91,17 @@ const std::vector<Key>& table()
     {"eos.*.gruneisen_slope", number, "", false, {}, "a of rho Gamma = rho0 (gruneisen + a mu); 0 if not given", LAW_SLOT(gruneisen_slope)},
     {"eos.*.file", number, "", false, {}, "table with the columns density [kg/m3] and pressure [Pa], a path beside the case", LAW_SLOT(file)},
 
-    {"target.plate.size", length, "m", true, above(0), "edge lengths of the plate, sideways and upwards", SLOT(target.size), nullptr, &no_column},
-    {"target.plate.thickness", length, "mm", true, above(0), "thickness of the plate", SLOT(target.thickness), nullptr, &no_column},
-    {"target.plate.elements", number, "", true, within(1, 2000), "number of elements, sideways and upwards", SLOT(target.elements), nullptr, &no_column},
-    {"target.rigid", number, "", false, {}, "the plate does not move; deformable plates are not available yet", SLOT(target.rigid)},
+  };
+}
 
-    {"transducers.*.centre", length, "mm", false, {}, "middle of the transducer's face, sideways and upwards from the middle of the plate", TRANSDUCER_SLOT(centre), nullptr, &no_column},
-    {"transducers.*.diameter", length, "mm", true, above(0), "diameter of the face", TRANSDUCER_SLOT(diameter), nullptr, &no_column},
-    {"transducers.*.rise_time", time, "us", false, at_least(0), "10 to 90 % rise time of the single-pole low pass behind the face; 0 for none", TRANSDUCER_SLOT(rise_time), nullptr, &no_column},
-    {"transducers.*.steady_from", number, "", false, at_least(0), "begin of the window of the steady mean, in squash-up times L/u after first contact", TRANSDUCER_SLOT(steady_from), nullptr, &no_column},
-    {"transducers.*.steady_to", number, "", false, above(0), "end of that window", TRANSDUCER_SLOT(steady_to), nullptr, &no_column},
+std::vector<Key> rows_after_target()
+{
+  return {
+    {"transducers.*.centre", length, "mm", false, {}, "middle of the transducer's face, sideways and upwards from the middle of the plate", TRANSDUCER_SLOT(centre), nullptr, &flat_target},
+    {"transducers.*.diameter", length, "mm", true, above(0), "diameter of the face", TRANSDUCER_SLOT(diameter), nullptr, &flat_target},
+    {"transducers.*.rise_time", time, "us", false, at_least(0), "10 to 90 % rise time of the single-pole low pass behind the face; 0 for none", TRANSDUCER_SLOT(rise_time), nullptr, &flat_target},
+    {"transducers.*.steady_from", number, "", false, at_least(0), "begin of the window of the steady mean, in squash-up times L/u after first contact", TRANSDUCER_SLOT(steady_from), nullptr, &flat_target},
+    {"transducers.*.steady_to", number, "", false, above(0), "end of that window", TRANSDUCER_SLOT(steady_to), nullptr, &flat_target},
 
     {"run.end", time, "ms", true, above(0), "simulated time; for a column by default until four fifths of it are shocked", SLOT(run.end_time), nullptr, nullptr, &with_column},
     {"run.frames", number, "", false, within(1, 100000), "states written after the one at the start, evenly spaced", SLOT(run.frames)},
@@ -115,7 +113,6 @@ const std::vector<Key>& table()
     {"run.smoothing_shrink", number, "", false, above_within(0, 1), "smallest smoothing length over its first value", SLOT(run.smoothing_shrink)},
     {"run.smoothing_growth", number, "", false, at_least(1), "largest smoothing length over its first value", SLOT(run.smoothing_growth)},
   };
-  return rows;
 }
 #undef SLOT
 #undef LAW_SLOT
@@ -125,7 +122,16 @@ const std::vector<Key>& table()
 
 } // namespace
 
-std::span<const Key> case_keys() { return table(); }
+std::span<const Key> case_keys()
+{
+  static const std::vector<Key> rows = [] {
+    std::vector<Key> all = rows_before_target();
+    for (const std::vector<Key>& more : {target_keys(), rows_after_target()})
+      all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }();
+  return rows;
+}
 
 std::string_view name_of(ViscosityKind kind)
 {

@@ -22,7 +22,7 @@ struct Row
   std::string_view name, article, unit, example;
 };
 // In the order of Dimension.
-constexpr std::array<Row, 11> rows{{
+constexpr std::array<Row, 12> rows{{
     {"number", "a", "", "1.25"},
     {"length", "a", "m", "6 mm"},
     {"mass", "a", "kg", "4 kg"},
@@ -34,6 +34,7 @@ constexpr std::array<Row, 11> rows{{
     {"rate", "a", "1/s", "40.4 1/s"},
     {"temperature", "a", "K", "293 K"},
     {"specific heat", "a", "J/kg/K", "896 J/kg/K"},
+    {"speed of rotation", "a", "rad/s", "3000 rpm"},
 }};
 const Row& row_of(Dimension dimension) { return rows[static_cast<std::size_t>(dimension)]; }
 

@@ -23,7 +23,8 @@ enum class Dimension
   density,
   rate,
   temperature, //!< degrees Celsius ("20 degC") are turned to K
-  specific_heat
+  specific_heat,
+  rotation //!< angle over time
 };
 
 std::string_view si_unit(

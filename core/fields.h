@@ -4,8 +4,10 @@
 #pragma once
 
 #include "core/contact/rigid_plate.h"
+#include "core/mesh_target.h"
 #include "core/particles/particles.h"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -51,7 +53,44 @@ inline constexpr std::array target_fields{
   Field<RigidPlate>{"peak_contact_pressure", 1, "Pa", "largest contact pressure so far, sampled at every step",
     [](const RigidPlate& t, std::size_t e, int) { return t.peak_pressure[e]; }},
 };
+
+//! Largest value over the points through the thickness of an element.
+template <class Value>
+double largest_in(const Shells& shells, std::size_t element, Value value)
+{
+  const ShellPoint* const first = shells.points.data() + shells.first_point(element);
+  double largest = 0;
+  for (int k = 0; k < shells.section_of(element).points; ++k)
+    largest = std::max(largest, value(first[k]));
+  return largest;
+}
+
+inline constexpr std::array mesh_target_fields{
+  Field<MeshTarget>{"contact_force", 3, "N", "force of the bird on the element",
+    [](const MeshTarget& t, std::size_t e, int k) { return t.loads.force.empty() ? 0.0 : t.loads.force[e][k]; }},
+  Field<MeshTarget>{"contact_pressure", 1, "Pa", "normal contact force over the element's area",
+    [](const MeshTarget& t, std::size_t e, int) { return t.loads.pressure.empty() ? 0.0 : t.loads.pressure[e]; }},
+  Field<MeshTarget>{"contact_impulse", 3, "N s", "time integral of the contact force",
+    [](const MeshTarget& t, std::size_t e, int k) { return t.loads.impulse.empty() ? 0.0 : t.loads.impulse[e][k]; }},
+  Field<MeshTarget>{"peak_contact_pressure", 1, "Pa", "largest contact pressure so far, sampled at every step",
+    [](const MeshTarget& t, std::size_t e, int) { return t.loads.peak_pressure.empty() ? 0.0 : t.loads.peak_pressure[e]; }},
+};
+
+//! Of the elements of a structure.
+inline constexpr std::array shell_fields{
+  Field<Shells>{"thickness", 1, "m", "of the element now",
+    [](const Shells& s, std::size_t e, int) { return s.thickness[e]; }},
+  Field<Shells>{"von_mises", 1, "Pa", "effective stress, the largest through the thickness",
+    [](const Shells& s, std::size_t e, int) { return largest_in(s, e, von_mises_stress); }},
+  Field<Shells>{"plastic_strain", 1, "-", "effective plastic strain, the largest through the thickness",
+    [](const Shells& s, std::size_t e, int) { return largest_in(s, e, [](const ShellPoint& p) { return p.plastic_strain; }); }},
+  Field<Shells>{"damage", 1, "-", "of the failure law, the largest through the thickness; failed from 1 on",
+    [](const Shells& s, std::size_t e, int) { return largest_in(s, e, [](const ShellPoint& p) { return p.damage; }); }},
+  Field<Shells>{"eroded", 1, "-", "1 once the element has failed and carries nothing any more, else 0",
+    [](const Shells& s, std::size_t e, int) { return static_cast<double>(s.gone[e]); }},
+};
 // clang-format on
-//! Point array "displacement" [m] (3 components) stands beside these on the target.
+//! Point arrays "displacement" [m] and, of structures, "velocity" [m/s] (3 components each) stand beside these on the
+//! target, and the integer cell array "part".
 
 } // namespace birdstrike

@@ -8,8 +8,11 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkIntArray.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
 namespace birdstrike {
@@ -39,6 +42,66 @@ vtkSmartPointer<vtkUnstructuredGrid> plate_to_vtk(const RigidPlate& plate, doubl
   add_field_arrays(*grid->GetCellData(), target_fields, plate, quads->GetNumberOfCells(),
                    [](vtkIdType k) { return static_cast<std::size_t>(k); });
   add_field_value(*grid->GetFieldData(), "thickness", plate.thickness);
+  add_field_value(*grid->GetFieldData(), "TimeValue", time);
+  return grid;
+}
+
+namespace {
+
+vtkSmartPointer<vtkDoubleArray> vectors(const char* name, vtkIdType count)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(count);
+  return array;
+}
+
+} // namespace
+
+vtkSmartPointer<vtkUnstructuredGrid> mesh_target_to_vtk(const MeshTarget& target, double time)
+{
+  const ShellMesh& mesh = target.mesh();
+  const auto nodes = static_cast<vtkIdType>(mesh.points.size());
+  const auto elements = static_cast<vtkIdType>(mesh.elements.size());
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  auto displacement = vectors("displacement", nodes);
+  for (vtkIdType n = 0; n < nodes; ++n) {
+    const Vector3 moved = target.displacement(static_cast<std::size_t>(n));
+    points->InsertNextPoint(Vector3(mesh.points[static_cast<std::size_t>(n)] + moved).data());
+    displacement->SetTypedTuple(n, moved.data());
+  }
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(points);
+  grid->GetPointData()->AddArray(displacement);
+  grid->Allocate(elements);
+  auto part = vtkSmartPointer<vtkIntArray>::New();
+  part->SetName("part");
+  for (const ShellElement& element : mesh.elements) {
+    const vtkIdType corners[4] = {element[0], element[1], element[2], element[3]};
+    is_triangle(element) ? grid->InsertNextCell(VTK_TRIANGLE, 3, corners)
+                         : grid->InsertNextCell(VTK_QUAD, 4, corners);
+    part->InsertNextValue(
+        static_cast<int>(mesh.part_of(static_cast<std::size_t>(part->GetNumberOfTuples()))));
+  }
+  const auto row = [](vtkIdType k) { return static_cast<std::size_t>(k); };
+  grid->GetCellData()->AddArray(part);
+  add_field_arrays(*grid->GetCellData(), mesh_target_fields, target, elements, row);
+  if (const Shells* shells = target.shells()) {
+    auto velocity = vectors("velocity", nodes);
+    for (vtkIdType n = 0; n < nodes; ++n)
+      velocity->SetTypedTuple(n, shells->velocity[static_cast<std::size_t>(n)].data());
+    grid->GetPointData()->AddArray(velocity);
+    add_field_arrays(*grid->GetCellData(), shell_fields, *shells, elements, row);
+    auto hidden =
+        vtkSmartPointer<vtkUnsignedCharArray>::New(); // ParaView then shows the holes without being asked
+    hidden->SetName(vtkDataSetAttributes::GhostArrayName());
+    for (const std::uint8_t gone : shells->gone)
+      hidden->InsertNextValue(gone ? vtkDataSetAttributes::HIDDENCELL : 0);
+    grid->GetCellData()->AddArray(hidden);
+  }
+  add_field_value(*grid->GetFieldData(), "thickness", mesh.parts.front().thickness);
   add_field_value(*grid->GetFieldData(), "TimeValue", time);
   return grid;
 }

@@ -8,6 +8,7 @@ class vtkUnstructuredGrid;
 
 namespace birdstrike {
 
+class MeshTarget;
 struct RigidPlate;
 
 //! One quad per element, in the order of the elements; the points are where the target is now. Point array
@@ -15,5 +16,10 @@ struct RigidPlate;
 //! core/fields.h; field arrays "thickness" [m] and "TimeValue" [s]. \param time  physical time of the state
 //! [s]
 vtkSmartPointer<vtkUnstructuredGrid> plate_to_vtk(const RigidPlate& plate, double time);
+
+//! One triangle or quad per element, in the order of the elements; the points are where the target is now. Point arrays
+//! "displacement" [m] and, where it is no rigid body, "velocity" [m/s]; cell arrays "part" and those of core/fields.h, and
+//! vtkGhostType, which hides eroded elements; field arrays as above.
+vtkSmartPointer<vtkUnstructuredGrid> mesh_target_to_vtk(const MeshTarget& target, double time);
 
 } // namespace birdstrike

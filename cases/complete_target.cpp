@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cases/complete_target.h"
+
+#include "cases/column.h"
+#include "core/error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace birdstrike {
+
+std::vector<std::string> support_kinds()
+{
+  return {"clamped", "simply-supported", "symmetry-x", "symmetry-y", "symmetry-z"};
+}
+
+std::array<bool, 6> held_components(const std::string& fix)
+{
+  if (fix == "clamped")
+    return {true, true, true, true, true, true};
+  if (fix == "simply-supported")
+    return {true, true, true, false, false, false};
+  if (fix.starts_with("symmetry-") && fix.size() == 10 && fix.back() >= 'x' && fix.back() <= 'z') {
+    const auto normal = static_cast<std::size_t>(fix.back() - 'x');
+    std::array<bool, 6> held{false, false, false, true, true, true};
+    held[normal] = true;
+    held[3 + normal] = false;
+    return held;
+  }
+  static constexpr std::array<std::string_view, 6> names{"x", "y", "z", "rx", "ry", "rz"};
+  std::array<bool, 6> held{};
+  std::istringstream words(fix);
+  bool any = false;
+  for (std::string word; words >> word; any = true) {
+    const auto found = std::find(names.begin(), names.end(), word);
+    if (found == names.end()) {
+      any = false;
+      break;
+    }
+    held[static_cast<std::size_t>(found - names.begin())] = true;
+  }
+  if (!any)
+    throw InputError(
+        fmt::format("one of {}, or components out of x y z rx ry rz is needed, for example \"x z ry\"",
+                    fmt::join(support_kinds(), ", ")));
+  return held;
+}
+
+namespace {
+
+void check_supports(const Case& parsed)
+{
+  const std::string file = parsed.file.string();
+  for (const SupportCase& support : parsed.target.supports) {
+    const std::string place = fmt::format("{}: target.supports.{}", file, support.name);
+    const bool low = !std::isnan(support.low[0]), high = !std::isnan(support.high[0]);
+    if (support.nodes.empty() && !low && !high)
+      throw InputError(place + ": which nodes? Give nodes, the name of a node set, or the box low, high");
+    if (low != high)
+      throw InputError(place + ": a box needs both corners, low and high");
+    for (std::size_t k = 0; low && k < 3; ++k)
+      if (support.low[k] > support.high[k])
+        throw InputError(place + ": low lies above high");
+    try {
+      held_components(support.fix);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}.fix = \"{}\": {}", place, support.fix, error.what()));
+    }
+  }
+}
+
+} // namespace
+
+void complete_target(Case& parsed, bool contact_given)
+{
+  TargetCase& target = parsed.target;
+  const std::string file = parsed.file.string();
+  if (is_column(parsed))
+    return;
+  if (target.rigid) {
+    if (target.shape != "plate")
+      target.contact = "penalty";
+    if (target.contact == "mirror" && (target.refinement[0] != 1 || target.refinement[1] != 1))
+      throw InputError(
+          fmt::format("{}: target.plate.refinement is for a plate in springs; set target.contact = "
+                      "\"penalty\" or leave the refinement out",
+                      file));
+    return;
+  }
+  (void)contact_given;
+  target.contact = "penalty";
+  if (target.material.empty() &&
+      std::none_of(target.parts.begin(), target.parts.end(),
+                   [](const TargetPartCase& part) { return !part.material.empty(); }))
+    throw InputError(
+        fmt::format("{}: target.material is missing: a target that is not rigid needs one, for example "
+                    "\"al-2024-t3\"",
+                    file));
+  if (target.spin != 0 && target.spin_axis == std::array<double, 3>{})
+    throw InputError(fmt::format("{}: target.spin_axis = [0, 0, 0] is no direction", file));
+  if (target.supports.empty()) {
+    if (target.shape == "plate" || target.shape == "windshield")
+      target.supports.push_back({.name = "edges", .nodes = "edges"});
+    else if (target.shape == "leading-edge")
+      target.supports = {{.name = "spar", .nodes = "spar"}, {.name = "ribs", .nodes = "ribs"}};
+    else if (target.shape == "blade")
+      target.supports.push_back({.name = "root", .nodes = "root"});
+    else
+      throw InputError(fmt::format("{}: target.supports is missing: a mesh needs at least one, for example\n"
+                                   "  [target.supports.rim]\n  nodes = \"boundary\"",
+                                   file));
+  }
+  check_supports(parsed);
+}
+
+} // namespace birdstrike
