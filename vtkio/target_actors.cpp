@@ -78,8 +78,9 @@ TargetActors::TargetActors(const SnapshotOptions& options, bool cut, vtkRenderer
     vtkProperty& look = *surface->actor->GetProperty();
     look.SetColor(0.74, 0.77, 0.80);
     look.SetEdgeColor(0.45, 0.48, 0.52);
-    look.SetAmbient(field_.empty() ? 0.35 : 0.6); // colours are to be compared with those of the bar
-    look.SetDiffuse(field_.empty() ? 0.65 : 0.4);
+    // Colours are to be compared with those of the bar, and a dent's inside is seen at a flat angle.
+    look.SetAmbient(field_.empty() && !along_axis_ ? 0.35 : 0.6);
+    look.SetDiffuse(field_.empty() && !along_axis_ ? 0.65 : 0.4);
     look.SetLineWidth(1);
     look.SetInterpolationToFlat();
     renderer.AddActor(surface->actor);
@@ -109,7 +110,7 @@ void TargetActors::show(vtkUnstructuredGrid* target, const std::array<double, 2>
     std::array<double, 3> n{};
     vtkPolygon::ComputeNormal(slab->GetPoints(), static_cast<int>(corners.GetNumberOfIds()),
                               corners.GetPointer(0), n.data());
-    return std::abs(n[0] * direction_[0] + n[1] * direction_[1] + n[2] * direction_[2]) > 0.2;
+    return std::abs(n[0] * direction_[0] + n[1] * direction_[1] + n[2] * direction_[2]) > 0.1;
   };
   with_edges_.mapper->SetInputData(
       faces_of(*slab, [&](vtkIdType face, vtkIdList& c) { return !is_rim(face) && faces_camera(c); }));

@@ -78,7 +78,8 @@ private:
 vtkSmartPointer<vtkUnstructuredGrid> visible_shell(vtkUnstructuredGrid& shell, bool cut)
 {
   vtkDataArray* eroded = shell.GetCellData()->GetArray("eroded");
-  vtkUnsignedCharArray* ghosts = shell.GetCellGhostArray();
+  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
+      shell.GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
   auto visible = vtkSmartPointer<vtkUnstructuredGrid>::New();
   visible->Allocate(shell.GetNumberOfCells());
   visible->SetFieldData(shell.GetFieldData());

@@ -15,7 +15,8 @@ std::vector<bool> HiddenPoints(vtkDataSet* data, const std::string& eroded)
   vtkDataArray* gone = data->GetCellData()->GetArray(eroded.c_str());
   if (gone && gone->GetNumberOfTuples() < cells)
     gone = nullptr;
-  vtkUnsignedCharArray* ghosts = data->GetCellGhostArray();
+  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
+      data->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
   if (ghosts && ghosts->GetNumberOfTuples() < cells)
     ghosts = nullptr;
 

@@ -25,6 +25,7 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace birdstrike;
@@ -77,7 +78,7 @@ SnapshotOptions small(View view)
   return options;
 }
 
-bool is_yellow(const unsigned char* c) { return c[0] > 120 && c[1] > 110 && c[2] < 90; }
+bool is_yellow(const unsigned char* c) { return c[0] > 120 && c[1] > 0.8 * c[0] && c[2] < 90; }
 bool is_violet(const unsigned char* c) { return c[2] > c[1] + 10 && c[0] > c[1] && c[0] < 120; }
 bool is_light_grey(const unsigned char* c) { return c[0] > 140 && c[0] < 215 && std::abs(c[2] - c[0]) < 25; }
 
@@ -196,23 +197,29 @@ TEST_CASE("the cut shows the dent from the side, not only the rim", "[target][sn
   // Of the whole plate the back of the bulge is seen. Cut open, its inner side is seen in front of the section, and
   // the section, dark and as thick as the plate, ends it at the back.
   const auto dark = [](const unsigned char* c) { return c[0] > 50 && c[0] < 105 && c[2] > c[0]; };
+  struct Row // of pixels at the height of the middle
+  {
+    int first, last, last_dark;
+  };
+  const auto middle = [&](const Pixels& p) {
+    Row row{p.width, 0, 0};
+    const int y = static_cast<int>((p.height - 24) / 2);
+    for (int x = 0; x < p.width; ++x) {
+      if (is_drawn(p.at(x, y)))
+        row.last = x, row.first = std::min(row.first, x);
+      if (dark(p.at(x, y)))
+        row.last_dark = x;
+    }
+    return row;
+  };
   const auto outside = whole.draw(frame), inside = cut.draw(frame);
   const Pixels o(*outside), p(*inside);
-  CHECK(count(o, 0, 1, 0.4, 0.55, dark) < 400);
-  CHECK(count(p, 0, 1, 0.4, 0.55, dark) > 400);
-  // At the height of the middle: the section is the last thing drawn to the right.
-  const int y = static_cast<int>((p.height - 24) / 2);
-  int last = 0, last_dark = 0, first = p.width;
-  for (int x = 0; x < p.width; ++x) {
-    if (is_drawn(p.at(x, y)))
-      last = x, first = std::min(first, x);
-    if (dark(p.at(x, y)))
-      last_dark = x;
-  }
-  CHECK(last_dark >= last - 1);
+  const Row shut = middle(o), open = middle(p);
+  CHECK(shut.last_dark < shut.first + 8); // the rim, in front of the bulge
+  CHECK(open.last_dark >= open.last - 1);
   // As deep as the dent is: the picture is 0.5 m high within 4 %.
   const double pixels_per_metre = (p.height - 24.0) / (0.5 * 1.04);
-  CHECK(last - first == Approx(depth * pixels_per_metre).margin(8));
+  CHECK(open.last - open.first == Approx(depth * pixels_per_metre).margin(8));
 }
 
 TEST_CASE("the target is drawn in the colours of a point or a cell array, with its own bar",
@@ -293,27 +300,4 @@ TEST_CASE("a field that the target has not is named", "[target][snapshot]")
                     Contains("\"strain\"") && Contains("displacement") && Contains("plastic_strain"));
   options.target_range = {{2, 2}};
   CHECK_THROWS_WITH(Snapshot(options, bounds_of(frame)), Contains("range"));
-}
-
-TEST_CASE("look", "[.look]")
-{
-  const Frame first{0, particles_to_vtk(made_bird(0.008), 0), made_dent(false)},
-      last{2e-3, particles_to_vtk(made_bird(0.008, 0.4), 2e-3), made_dent(true)};
-  for (const char* view : {"side", "front", "isometric", "top"})
-    for (const char* field : {"", "displacement", "plastic_strain"}) {
-      SnapshotOptions options;
-      options.view = view_from_name(view);
-      options.target_field = field;
-      options.title = "A dent";
-      if (*field)
-        options.cut = true;
-      Snapshot s(options, bounds_of({first, last}));
-      s.write(*field == 'p' ? last : first, std::string("/tmp/f4look/") + view + "_" + field + ".png");
-    }
-  MontageOptions montage;
-  montage.snapshot.target_field = "displacement";
-  montage.snapshot.colour_by = "pressure";
-  montage.snapshot.cut = true;
-  montage.snapshot.title = "A dent";
-  write_montage({first, last, first, last}, bounds_of({first, last}), montage, "/tmp/f4look/m.png");
 }
