@@ -92,7 +92,7 @@ std::vector<fs::path> write_pictures(const fs::path& pvd, const fs::path& folder
 {
   const std::vector<Frame> frames = chosen_frames(read_series_index(pvd));
   require(frames.front().bird != nullptr, fmt::format("{}: there is no bird in this series", pvd.string()));
-  const Bounds bounds = bounds_of(frames.front());
+  const Bounds bounds = bounds_of(frames);
 
   SnapshotOptions by_part, by_pressure;
   by_part.title = by_pressure.title = fitting_title(title);

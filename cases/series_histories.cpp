@@ -19,12 +19,11 @@ namespace birdstrike {
 namespace {
 
 //! Runs a filter on the series; its table is empty if the series has not what it needs.
-template <class Filter>
-vtkSmartPointer<vtkTable> filtered(const std::filesystem::path& pvd, std::string& complaint)
+vtkSmartPointer<vtkTable> filtered(const std::filesystem::path& pvd, vtkTableAlgorithm* filter,
+                                   std::string& complaint)
 {
   vtkNew<vtkBirdStrikeSeriesReader> reader;
   reader->SetFileName(pvd.string());
-  vtkNew<Filter> filter;
   filter->SetInputConnection(reader->GetOutputPort());
   vtkNew<VtkErrors> errors;
   for (vtkAlgorithm* algorithm : {static_cast<vtkAlgorithm*>(reader), static_cast<vtkAlgorithm*>(filter)})
@@ -36,18 +35,53 @@ vtkSmartPointer<vtkTable> filtered(const std::filesystem::path& pvd, std::string
 
 } // namespace
 
-vtkSmartPointer<vtkTable> histories_of_series(const std::filesystem::path& pvd)
+vtkSmartPointer<vtkTable> histories_of_series(const std::filesystem::path& pvd,
+                                              const DeflectionOptions& deflection,
+                                              const std::function<void(const std::string&)>& warn)
 {
   read_series_index(pvd); // says it better than a pipeline if the file is not there
   std::string complaint;
-  const auto pressure = filtered<vtkMaximumPressureHistory>(pvd, complaint);
-  if (pressure->GetNumberOfRows() == 0)
+  vtkNew<vtkMaximumPressureHistory> pressure_filter;
+  const auto histories = filtered(pvd, pressure_filter, complaint);
+  if (histories->GetNumberOfRows() == 0)
     throw InputError(fmt::format("{}: no history can be made of it: {}", pvd.string(), complaint));
-  const auto deflection = filtered<vtkTargetDeflectionHistory>(pvd, complaint);
-  if (deflection->GetNumberOfRows() == pressure->GetNumberOfRows())
-    for (vtkIdType column = 1; column < deflection->GetNumberOfColumns(); ++column)
-      pressure->AddColumn(deflection->GetColumn(column));
-  return pressure;
+
+  vtkNew<vtkTargetDeflectionHistory> filter;
+  for (const DeflectionPoint& point : deflection.points)
+    filter->AddPoint(point.place[0], point.place[1], point.place[2], point.name.c_str());
+  filter->SetDirection(deflection.along[0], deflection.along[1], deflection.along[2]);
+  filter->SetWindowShare(deflection.window);
+  const auto target = filtered(pvd, filter, complaint);
+  if (target->GetNumberOfRows() == histories->GetNumberOfRows()) {
+    for (vtkIdType column = 1; column < target->GetNumberOfColumns(); ++column)
+      histories->AddColumn(target->GetColumn(column));
+    if (!complaint.empty() && warn)
+      warn(fmt::format("{}: {}", pvd.string(), complaint));
+  } else if (!deflection.points.empty() || deflection.along != DeflectionOptions().along ||
+             deflection.window != DeflectionOptions().window)
+  {
+    throw InputError(fmt::format("{}: no deflection can be made of it: {}", pvd.string(), complaint));
+  }
+  return histories;
+}
+
+std::vector<std::string> mesh_points_used(vtkTable& histories, const DeflectionOptions& deflection)
+{
+  std::vector<std::string> lines;
+  for (std::size_t k = 0; k < deflection.points.size(); ++k) {
+    const DeflectionPoint& point = deflection.points[k];
+    const std::string name = point.name.empty() ? std::to_string(k) : point.name;
+    const auto value = [&](const std::string& column) {
+      return histories.GetValueByName(0, column.c_str()).ToDouble();
+    };
+    const double row = value("mesh_point_at_" + name);
+    lines.push_back(fmt::format("deflection at {} ({:g}, {:g}, {:g}) m: ", name, point.place[0],
+                                point.place[1], point.place[2]) +
+                    (row < 0 ? "the target has no point"
+                             : fmt::format("point {:.0f} of the target, {:.4g} mm away", row,
+                                           1e3 * value("distance_at_" + name + "[m]"))));
+  }
+  return lines;
 }
 
 History to_history(vtkTable& table)

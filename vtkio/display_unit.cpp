@@ -8,7 +8,7 @@ namespace birdstrike {
 
 DisplayUnit display_unit(const std::string& array)
 {
-  std::string unit = "-";
+  std::string unit = array == "displacement" ? "m" : "-"; // it stands beside the tables
   for (const auto& field : particle_fields)
     if (field.name == array)
       unit = field.unit;

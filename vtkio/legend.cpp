@@ -117,13 +117,14 @@ void add_scalar_bar(vtkRenderer& renderer, const Rectangle& place, const std::st
   std::string title = array;
   std::replace(title.begin(), title.end(), '_', ' ');
   const bool upright = place.height > place.width;
-  const int title_font =
-      fitting(font, upright ? place.width : 0.3 * place.width, title.size() + (upright ? 1 : 10));
+  const double share = place.width > 40 * font ? 0.3 : 0.42; // of a lying bar's place that its title has
+  const int title_font = fitting(font, upright ? place.width : share * place.width - font,
+                                 title.size() + (upright ? 1 : 3 + shown.unit.size()));
   const double title_height = 3.0 * font;
   const Rectangle bar =
-      upright
-          ? Rectangle{place.x, place.y + 0.6 * font, 1.2 * font, place.height - title_height - 1.2 * font}
-          : Rectangle{place.x + 0.3 * place.width, place.y + place.height / 2, 0.6 * place.width, 1.0 * font};
+      upright ? Rectangle{place.x, place.y + 0.6 * font, 1.2 * font, place.height - title_height - 1.2 * font}
+              : Rectangle{place.x + share * place.width, place.y + place.height / 2,
+                          (0.9 - share) * place.width, 1.0 * font};
   add_strip(renderer, bar);
   if (upright) {
     renderer.AddActor2D(
@@ -131,12 +132,18 @@ void add_scalar_bar(vtkRenderer& renderer, const Rectangle& place, const std::st
     renderer.AddActor2D(make_text("[" + shown.unit + "]", place.x, place.y + place.height - 1.9 * font,
                                   title_font, Anchor::left, text));
   } else {
-    renderer.AddActor2D(make_text(title + " [" + shown.unit + "]", bar.x - font, bar.y + bar.height / 2, font,
-                                  Anchor::right, text));
+    renderer.AddActor2D(make_text(title + " [" + shown.unit + "]", bar.x - font, bar.y + bar.height / 2,
+                                  title_font, Anchor::right, text));
   }
 
   const double low = range[0] * shown.factor, high = range[1] * shown.factor;
-  for (const double value : ticks_between(low, high)) {
+  const std::vector<double> ticks = ticks_between(low, high);
+  // On a short bar only every other number, 0 among them.
+  const auto count = static_cast<double>(ticks.size());
+  const bool crowded = upright ? bar.height < 1.25 * font * count : bar.width < 2.5 * font * count;
+  for (const double value : ticks) {
+    if (crowded && ticks.size() > 2 && std::lround(value / (ticks[1] - ticks[0])) % 2 != 0)
+      continue;
     const double along = (value - low) / (high - low);
     const std::string label = fmt::format("{:.6g}", value);
     if (upright)

@@ -19,26 +19,6 @@
 
 namespace birdstrike {
 
-namespace {
-
-std::array<double, 2> common_range(const std::vector<Frame>& frames, const SnapshotOptions& options)
-{
-  if (options.colour_by == "part" || options.range)
-    return colour_range(options, {0, 1});
-  std::array<double, 2> all{0, 0};
-  bool first = true;
-  for (const Frame& frame : frames) {
-    if (!frame.bird)
-      continue;
-    const auto range = range_of(*frame.bird, options.colour_by);
-    all = first ? range : std::array<double, 2>{std::min(all[0], range[0]), std::max(all[1], range[1])};
-    first = false;
-  }
-  return colour_range(options, all);
-}
-
-} // namespace
-
 void write_montage(const std::vector<Frame>& frames, const Bounds& bounds, const MontageOptions& options,
                    const std::filesystem::path& png)
 {
@@ -58,7 +38,7 @@ void write_montage(const std::vector<Frame>& frames, const Bounds& bounds, const
 
   Page page(width, height, panel.background);
   const Colour ink = readable_on(panel.background);
-  const auto range = common_range(frames, panel);
+  const Ranges ranges = ranges_of(frames, panel);
   std::vector<std::unique_ptr<Scene>> scenes;
   for (std::size_t k = 0; k < frames.size(); ++k) {
     const int column = static_cast<int>(k) % columns, row = static_cast<int>(k) / columns;
@@ -66,7 +46,7 @@ void write_montage(const std::vector<Frame>& frames, const Bounds& bounds, const
     const double caption = 1.8 * font;
     const Rectangle canvas{x, y, static_cast<double>(panel.width), panel.height - caption};
     scenes.push_back(std::make_unique<Scene>(panel, bounds, canvas.width, canvas.height));
-    scenes.back()->show(frames[k], range);
+    scenes.back()->show(frames[k], ranges);
     page.place(*scenes.back(), canvas);
     page.ground().AddActor2D(
         make_text(fmt::format("{})  {:.3f} ms", static_cast<char>('a' + k), 1e3 * frames[k].time),
@@ -74,14 +54,21 @@ void write_montage(const std::vector<Frame>& frames, const Bounds& bounds, const
   }
   if (title > 0)
     page.ground().AddActor2D(make_text(panel.title, 0.6 * font, height - title / 2, font, Anchor::left, ink));
-  const auto with_bird =
-      std::find_if(frames.begin(), frames.end(), [](const Frame& f) { return f.bird != nullptr; });
-  if (panel.legend && with_bird != frames.end()) {
-    const Rectangle place{0.02 * width, 0.2 * font, 0.96 * width, legend - 0.4 * font};
+  const auto with_bird = std::find_if(frames.begin(), frames.end(), [](const Frame& f) { return f.bird; });
+  const bool of_bird = with_bird != frames.end();
+  const bool of_target = !panel.target_field.empty() &&
+                         std::any_of(frames.begin(), frames.end(), [](const Frame& f) { return f.target; });
+  Rectangle place{0.02 * width, 0.2 * font, 0.96 * width, legend - 0.4 * font};
+  if (panel.legend && of_target) { // beside the bird's
+    const Rectangle right{0.52 * width, place.y, 0.46 * width, place.height};
+    add_scalar_bar(page.ground(), of_bird ? right : place, panel.target_field, ranges.target, font, ink);
+    place.width = 0.46 * width;
+  }
+  if (panel.legend && of_bird) {
     if (panel.colour_by == "part")
       add_part_legend(page.ground(), place, parts_of(*with_bird->bird), font, ink);
     else
-      add_scalar_bar(page.ground(), place, panel.colour_by, range, font, ink);
+      add_scalar_bar(page.ground(), place, panel.colour_by, ranges.bird, font, ink);
   }
   write_png(*page.draw(), png);
 }

@@ -28,21 +28,11 @@ void check_options(const SnapshotOptions& options)
                       options.width, options.height));
   for (const double part : options.background)
     require(part >= 0 && part <= 1, fmt::format("background: {} is not a share of a colour, 0 to 1", part));
-  if (options.range)
-    require(std::isfinite((*options.range)[0]) && std::isfinite((*options.range)[1]) &&
-                (*options.range)[0] < (*options.range)[1],
-            fmt::format("colour range {} to {}: the second number must be the larger one",
-                        (*options.range)[0], (*options.range)[1]));
-}
-
-std::array<double, 2> colour_range(const SnapshotOptions& options, std::array<double, 2> found)
-{
-  if (options.range)
-    return *options.range;
-  if (found[1] > found[0])
-    return found;
-  const double width = found[0] != 0 ? 0.01 * std::abs(found[0]) : 1.0;
-  return {found[0], found[0] + width};
+  for (const auto& range : {options.range, options.target_range})
+    if (range)
+      require(std::isfinite((*range)[0]) && std::isfinite((*range)[1]) && (*range)[0] < (*range)[1],
+              fmt::format("colour range {} to {}: the second number must be the larger one", (*range)[0],
+                          (*range)[1]));
 }
 
 Page::Page(int width, int height, const Colour& background)

@@ -15,11 +15,8 @@ class vtkRenderer;
 
 namespace birdstrike {
 
-//! \throw InputError unless sizes, background and range are in range
+//! \throw InputError unless sizes, background and ranges are in range
 void check_options(const SnapshotOptions& options);
-
-//! The range that the options fix, else the one given, widened if it is a single value.
-std::array<double, 2> colour_range(const SnapshotOptions& options, std::array<double, 2> found);
 
 //! A window whose ground layer holds texts and legends, and whose upper layer holds scenes.
 class Page

@@ -3,7 +3,7 @@
 #include "vtkio/scene.h"
 
 #include "core/error.h"
-#include "vtkio/slab.h"
+#include "vtkio/array_range.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -15,7 +15,6 @@
 #include <vtkPointGaussianMapper.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkStringArray.h>
@@ -43,24 +42,12 @@ constexpr const char* sphere_shader = "//VTK::Color::Impl\n"
                                       "ambientColor = diffuseColor * (0.38 + 0.70 * light) + vec3(gloss);\n"
                                       "diffuseColor = vec3(0.0);\n";
 
-double length_of_tuple(vtkDataArray& array, vtkIdType i)
-{
-  if (array.GetNumberOfComponents() == 1)
-    return array.GetComponent(i, 0);
-  double sum = 0;
-  for (int k = 0; k < array.GetNumberOfComponents(); ++k)
-    sum += array.GetComponent(i, k) * array.GetComponent(i, k);
-  return std::sqrt(sum);
-}
-
 vtkDataArray& find_array(vtkUnstructuredGrid& bird, const std::string& name)
 {
   if (vtkDataArray* array = bird.GetPointData()->GetArray(name.c_str()))
     return *array;
-  std::string known;
-  for (int k = 0; k < bird.GetPointData()->GetNumberOfArrays(); ++k)
-    known += std::string(known.empty() ? "" : ", ") + bird.GetPointData()->GetArrayName(k);
-  throw InputError("cannot colour by \"" + name + "\": the bird has no such array; it has " + known);
+  throw InputError("cannot colour by \"" + name + "\": the bird has no such array; it has " +
+                   names_of_arrays(*bird.GetPointData()));
 }
 
 std::string part_name(vtkUnstructuredGrid& bird, int part)
@@ -105,18 +92,39 @@ std::vector<LegendEntry> parts_of(vtkUnstructuredGrid& bird)
 
 std::array<double, 2> range_of(vtkUnstructuredGrid& bird, const std::string& array)
 {
-  vtkDataArray& values = find_array(bird, array);
-  std::array<double, 2> range{0, 0};
-  bool first = true;
-  for (vtkIdType i = 0; i < values.GetNumberOfTuples(); ++i) {
-    const double value = length_of_tuple(values, i);
-    if (!std::isfinite(value))
-      continue;
-    range = first ? std::array<double, 2>{value, value}
-                  : std::array<double, 2>{std::min(range[0], value), std::max(range[1], value)};
-    first = false;
+  return finite_range(find_array(bird, array));
+}
+
+namespace {
+
+//! The range that is fixed, else the one that holds all those found, widened if it is a single value.
+std::array<double, 2> chosen_range(const std::optional<std::array<double, 2>>& fixed,
+                                   const std::vector<std::array<double, 2>>& found)
+{
+  if (fixed)
+    return *fixed;
+  if (found.empty())
+    return {0, 1};
+  std::array<double, 2> all = found.front();
+  for (const auto& range : found)
+    all = {std::min(all[0], range[0]), std::max(all[1], range[1])};
+  if (!(all[1] > all[0]))
+    all[1] = all[0] + (all[0] != 0 ? 0.01 * std::abs(all[0]) : 1.0);
+  return all;
+}
+
+} // namespace
+
+Ranges ranges_of(const std::vector<Frame>& frames, const SnapshotOptions& options)
+{
+  std::vector<std::array<double, 2>> bird, target;
+  for (const Frame& frame : frames) {
+    if (frame.bird && options.colour_by != "part")
+      bird.push_back(range_of(*frame.bird, options.colour_by));
+    if (frame.target && !options.target_field.empty())
+      target.push_back(range_of_target(*frame.target, options.target_field));
   }
-  return range;
+  return {chosen_range(options.range, bird), chosen_range(options.target_range, target)};
 }
 
 bool is_cut(const SnapshotOptions& options)
@@ -144,7 +152,7 @@ CameraAxes camera_axes(View view)
 }
 
 Scene::Scene(const SnapshotOptions& options, const Bounds& bounds, double width, double height)
-    : options_(options)
+    : options_(options), target_(options, is_cut(options), *renderer_)
 {
   bird_mapper_->EmissiveOff();
   bird_mapper_->SetScaleFactor(1.0);
@@ -158,19 +166,8 @@ Scene::Scene(const SnapshotOptions& options, const Bounds& bounds, double width,
   bird_->SetMapper(bird_mapper_);
   bird_->GetProperty()->LightingOff(); // the shader does it
 
-  target_mapper_->ScalarVisibilityOff();
-  target_->SetMapper(target_mapper_);
-  vtkProperty& look = *target_->GetProperty();
-  look.SetColor(0.74, 0.77, 0.80);
-  look.SetEdgeColor(0.45, 0.48, 0.52);
-  look.SetAmbient(0.35);
-  look.SetDiffuse(0.65);
-  look.SetLineWidth(1);
-  look.SetInterpolationToFlat();
-
   renderer_->SetBackground(options.background[0], options.background[1], options.background[2]);
   renderer_->AddActor(bird_);
-  renderer_->AddActor(target_);
   place_camera(bounds, width / height);
 }
 
@@ -202,14 +199,12 @@ void Scene::place_camera(const Bounds& bounds, double aspect)
                           19 * reach); // debris may leave the box towards the camera or away from it
 }
 
-void Scene::show(const Frame& frame, const std::array<double, 2>& range)
+void Scene::show(const Frame& frame, const Ranges& ranges)
 {
   bird_->SetVisibility(frame.bird != nullptr);
-  target_->SetVisibility(frame.target != nullptr);
   if (frame.bird)
-    show_bird(*frame.bird, range);
-  if (frame.target)
-    show_target(*frame.target);
+    show_bird(*frame.bird, ranges.bird);
+  target_.show(frame.target, ranges.target);
 }
 
 void Scene::show_bird(vtkUnstructuredGrid& bird, const std::array<double, 2>& range)
@@ -250,16 +245,6 @@ void Scene::show_bird(vtkUnstructuredGrid& bird, const std::array<double, 2>& ra
   data->GetPointData()->AddArray(radius);
   data->GetPointData()->AddArray(colour);
   bird_mapper_->SetInputData(data);
-}
-
-void Scene::show_target(vtkUnstructuredGrid& target)
-{
-  target_mapper_->SetInputData(make_slab(target, thickness_of(target)));
-  // Seen edge-on, the element edges would lie side by side and paint the slab black.
-  const bool edge_on = options_.view == View::side || options_.view == View::top;
-  target_->GetProperty()->SetEdgeVisibility(!edge_on);
-  if (edge_on)
-    target_->GetProperty()->SetColor(0.36, 0.39, 0.43);
 }
 
 } // namespace birdstrike

@@ -4,6 +4,7 @@
 
 #include "vtkio/palette.h"
 #include "vtkio/snapshot.h"
+#include "vtkio/target_actors.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -12,7 +13,6 @@
 
 class vtkActor;
 class vtkPointGaussianMapper;
-class vtkPolyDataMapper;
 class vtkRenderer;
 
 namespace birdstrike {
@@ -31,6 +31,16 @@ std::vector<LegendEntry> parts_of(vtkUnstructuredGrid& bird);
 //! \throw InputError if the grid lacks the array; the message lists those that it has
 std::array<double, 2> range_of(vtkUnstructuredGrid& bird, const std::string& array);
 
+//! What the colours of a picture mean, in SI; a range is not used where nothing is coloured by it.
+struct Ranges
+{
+  std::array<double, 2> bird{0, 1}, target{0, 1};
+};
+
+//! Ranges that the options fix; the others hold all of the frames.
+//! \throw InputError if a frame lacks an array to colour by
+Ranges ranges_of(const std::vector<Frame>& frames, const SnapshotOptions& options);
+
 class Scene
 {
 public:
@@ -38,25 +48,22 @@ public:
   Scene(const SnapshotOptions& options, const Bounds& bounds, double width, double height);
   ~Scene();
 
-  //! \param range  of the array to colour by, in SI; not used by part
-  void show(const Frame& frame, const std::array<double, 2>& range);
+  void show(const Frame& frame, const Ranges& ranges);
 
   vtkRenderer& renderer() { return *renderer_; }
 
 private:
   void place_camera(const Bounds& bounds, double aspect);
   void show_bird(vtkUnstructuredGrid& bird, const std::array<double, 2>& range);
-  void show_target(vtkUnstructuredGrid& target);
 
   SnapshotOptions options_;
   vtkNew<vtkRenderer> renderer_;
   vtkNew<vtkPointGaussianMapper> bird_mapper_;
   vtkNew<vtkActor> bird_;
-  vtkNew<vtkPolyDataMapper> target_mapper_;
-  vtkNew<vtkActor> target_;
+  TargetActors target_;
 };
 
-//! Whether a picture with these options leaves out the particles with y < 0.
+//! Whether a picture with these options leaves out what has y < 0.
 bool is_cut(const SnapshotOptions& options);
 
 //! Unit vectors of the camera: where it looks, and what is up in the picture.

@@ -6,6 +6,7 @@
 #include "vtkio/page.h"
 #include "vtkio/slab.h"
 #include "vtkio/text_style.h"
+#include "vtkio/visible_shell.h"
 #include "vtkio/write_png.h"
 
 #include <vtkImageData.h>
@@ -31,22 +32,32 @@ View view_from_name(const std::string& name)
   throw InputError("there is no view \"" + name + "\"; there are side, front, top, isometric");
 }
 
-Bounds bounds_of(const Frame& frame)
+namespace {
+
+constexpr double none = std::numeric_limits<double>::infinity();
+
+void widen(Bounds& all, const double* bounds)
 {
-  constexpr double none = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3 && bounds[0] <= bounds[1]; ++k) {
+    all[2 * k] = std::min(all[2 * k], bounds[2 * k]);
+    all[2 * k + 1] = std::max(all[2 * k + 1], bounds[2 * k + 1]);
+  }
+}
+
+} // namespace
+
+Bounds bounds_of(const std::vector<Frame>& frames)
+{
   Bounds all{none, -none, none, -none, none, -none};
-  const auto add = [&](const double* bounds) {
-    for (int k = 0; k < 3 && bounds[0] <= bounds[1]; ++k) {
-      all[2 * k] = std::min(all[2 * k], bounds[2 * k]);
-      all[2 * k + 1] = std::max(all[2 * k + 1], bounds[2 * k + 1]);
-    }
-  };
-  if (frame.bird)
-    add(frame.bird->GetBounds());
-  if (frame.target)
-    add(make_slab(*frame.target, thickness_of(*frame.target))->GetBounds());
+  if (!frames.empty() && frames.front().bird)
+    widen(all, frames.front().bird->GetBounds());
+  for (const Frame& frame : frames)
+    if (frame.target)
+      widen(all, make_slab(*visible_shell(*frame.target, false), thickness_of(*frame.target))->GetBounds());
   return all[0] <= all[1] ? all : Bounds{-1, 1, -1, 1, -1, 1};
 }
+
+Bounds bounds_of(const Frame& frame) { return bounds_of(std::vector<Frame>{frame}); }
 
 struct Snapshot::State
 {
@@ -62,7 +73,7 @@ struct Snapshot::State
   }
   double legend_width() const { return options.legend ? 8.5 * font : 0; }
 
-  void add_texts(const Frame& frame, const std::array<double, 2>& range);
+  void add_texts(const Frame& frame, const Ranges& ranges);
 
   SnapshotOptions options;
   int font; // height of all texts [pixel]
@@ -71,24 +82,32 @@ struct Snapshot::State
   Scene scene;
 };
 
-void Snapshot::State::add_texts(const Frame& frame, const std::array<double, 2>& range)
+void Snapshot::State::add_texts(const Frame& frame, const Ranges& ranges)
 {
   const Colour ink = readable_on(options.background);
   const double top = options.height - 1.0 * font;
   page.ground().AddActor2D(make_text(options.title, 0.6 * font, top, font, Anchor::left, ink));
   page.ground().AddActor2D(make_text(fmt::format("t = {:.3f} ms", 1e3 * frame.time),
                                      options.width - 0.6 * font, top, font, Anchor::right, ink));
-  if (!options.legend || !frame.bird)
+  if (!options.legend)
     return;
   if (is_cut(options))
     page.ground().AddActor2D(make_text("cut at y = 0", canvas.width + 0.4 * font, 0.06 * options.height,
                                        font * 8 / 10, Anchor::left, ink));
-  const Rectangle place{canvas.width + 0.4 * font, 0.12 * options.height, legend_width() - 0.8 * font,
-                        0.76 * options.height};
-  if (options.colour_by == "part")
+  Rectangle place{canvas.width + 0.4 * font, 0.12 * options.height, legend_width() - 0.8 * font,
+                  0.76 * options.height};
+  const bool of_target = frame.target && !options.target_field.empty();
+  if (of_target && frame.bird) { // one above the other, the target's below
+    place.height = 0.47 * place.height;
+    add_scalar_bar(page.ground(), place, options.target_field, ranges.target, font, ink);
+    place.y = 0.88 * options.height - place.height;
+  } else if (of_target) {
+    add_scalar_bar(page.ground(), place, options.target_field, ranges.target, font, ink);
+  }
+  if (frame.bird && options.colour_by == "part")
     add_part_legend(page.ground(), place, parts_of(*frame.bird), font, ink);
-  else
-    add_scalar_bar(page.ground(), place, options.colour_by, range, font, ink);
+  else if (frame.bird)
+    add_scalar_bar(page.ground(), place, options.colour_by, ranges.bird, font, ink);
 }
 
 Snapshot::Snapshot(const SnapshotOptions& options, const Bounds& bounds)
@@ -101,13 +120,10 @@ Snapshot::Snapshot(Snapshot&&) noexcept = default;
 
 vtkSmartPointer<vtkImageData> Snapshot::draw(const Frame& frame)
 {
-  const SnapshotOptions& options = state_->options;
-  std::array<double, 2> range{0, 1};
-  if (frame.bird && options.colour_by != "part")
-    range = colour_range(options, range_of(*frame.bird, options.colour_by));
-  state_->scene.show(frame, range);
+  const Ranges ranges = ranges_of({frame}, state_->options);
+  state_->scene.show(frame, ranges);
   state_->page.clear_ground();
-  state_->add_texts(frame, range);
+  state_->add_texts(frame, ranges);
   return state_->page.draw();
 }
 

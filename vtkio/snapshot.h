@@ -33,11 +33,15 @@ struct SnapshotOptions
   std::optional<std::array<double, 2>>
       range; //!< of that array, in its SI unit; the frame's own range otherwise
   View view = View::side;
-  std::optional<bool> cut; //!< show only particles with y >= 0 so that inner parts are seen; otherwise: by
-                           //!< part, from the side, yes; else no
-  std::string title;       //!< top left; empty: none
-  bool legend = true;      //!< names of the parts, or the scalar bar
-  int width = 1280, height = 720;                     //!< [pixel]
+  std::optional<bool> cut;  //!< show only what has y >= 0, of bird and target, so that inner parts and a dent
+                            //!< are seen; otherwise: by part, from the side, yes; else no
+  std::string target_field; //!< point or cell array of the target to colour it by ("displacement",
+                            //!< "plastic_strain", ...; vectors by their length); empty: grey
+  std::optional<std::array<double, 2>>
+      target_range;               //!< of that array, in its SI unit; the frame's own range otherwise
+  std::string title;              //!< top left; empty: none
+  bool legend = true;             //!< names of the parts, or the scalar bar
+  int width = 1280, height = 720; //!< [pixel]
   std::array<double, 3> background = {1.0, 1.0, 1.0}; //!< red, green, blue, each 0 ... 1
 };
 
@@ -48,7 +52,11 @@ using Bounds = std::array<double, 6>;
 //! pictures.
 Bounds bounds_of(const Frame& frame);
 
-//! Draws one picture after another with the same camera.
+//! Bounds of the bird in the first frame and of the target in all of them: hold the pictures of a target that bends.
+Bounds bounds_of(const std::vector<Frame>& frames);
+
+//! Draws one picture after another with the same camera. Elements of the target that have eroded (cell array "eroded"
+//! = 1, or HIDDENCELL in vtkGhostType) are not drawn.
 class Snapshot
 {
 public:
@@ -58,7 +66,7 @@ public:
   ~Snapshot();
   Snapshot(Snapshot&&) noexcept;
 
-  //! \throw InputError if the frame lacks the array to colour by (the message lists those that it has)
+  //! \throw InputError if the frame lacks an array to colour by (the message lists those that it has)
   vtkSmartPointer<vtkImageData> draw(const Frame& frame);
 
   //! Draw and write a PNG. \throw InputError as draw, OutputError as write_png

@@ -36,6 +36,11 @@ protected:
   //! Called once, after the last step. False if it cannot be done and an error has been reported.
   virtual bool FillTable(vtkTable* table) = 0;
 
+  //! All times of the series [s]; empty if the input has none. And the row in them of the step that AddTimeStep
+  //! sees.
+  const std::vector<double>& GetTimes() const { return this->Times; }
+  std::size_t GetStep() const { return this->Step; }
+
   //! Append a column of doubles to a table.
   static void AddColumn(vtkTable* table, const std::string& title, const std::vector<double>& values);
 

@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "tests/vtkio/made_run.h"
+#include "tests/vtkio/pixels.h"
 #include "vtkio/montage.h"
 #include "vtkio/palette.h"
 #include "vtkio/particles_to_vtk.h"
@@ -36,34 +37,6 @@ SnapshotOptions small()
   return options;
 }
 
-struct Pixels
-{
-  int width, height;
-  const unsigned char* data;
-  explicit Pixels(vtkImageData& image)
-      : width(image.GetDimensions()[0]),
-        height(image.GetDimensions()[1]),
-        data(static_cast<const unsigned char*>(image.GetScalarPointer()))
-  {
-  }
-  const unsigned char* at(int x, int y) const
-  {
-    return data + 3 * (static_cast<std::ptrdiff_t>(y) * width + x);
-  }
-};
-
-// Pixels in a rectangle (shares of the picture) for which the test holds.
-template <class Test>
-int count(const Pixels& p, double x0, double x1, double y0, double y1, Test test)
-{
-  int n = 0;
-  for (int y = static_cast<int>(y0 * p.height); y < static_cast<int>(y1 * p.height); ++y)
-    for (int x = static_cast<int>(x0 * p.width); x < static_cast<int>(x1 * p.width); ++x)
-      n += test(p.at(x, y));
-  return n;
-}
-
-bool is_drawn(const unsigned char* c) { return c[0] < 250 || c[1] < 250 || c[2] < 250; }
 bool is_red(const unsigned char* c) { return c[0] > 80 && c[0] > 2.5 * c[1] && c[0] > 2.5 * c[2]; }
 bool is_brown(const unsigned char* c) { return c[0] > 60 && c[0] > 1.2 * c[1] && c[1] > 1.5 * c[2]; }
 bool is_slab(const unsigned char* c) // the plate seen edge-on: a bluish dark grey

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The target in a picture: its faces with element edges, in grey or in the colours of a field, and its rim.
+#include "vtkio/target_actors.h"
+
+#include "core/error.h"
+#include "vtkio/array_range.h"
+#include "vtkio/palette.h"
+#include "vtkio/scene.h"
+#include "vtkio/slab.h"
+#include "vtkio/visible_shell.h"
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkIdList.h>
+#include <vtkLookupTable.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkPolygon.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <cmath>
+
+namespace birdstrike {
+namespace {
+
+vtkDataArray& find_target_array(vtkUnstructuredGrid& target, const std::string& name)
+{
+  for (vtkDataSetAttributes* data : {static_cast<vtkDataSetAttributes*>(target.GetPointData()),
+                                     static_cast<vtkDataSetAttributes*>(target.GetCellData())})
+    if (vtkDataArray* array = data->GetArray(name.c_str()))
+      return *array;
+  const std::string of_points = names_of_arrays(*target.GetPointData()),
+                    of_cells = names_of_arrays(*target.GetCellData());
+  throw InputError("cannot colour the target by \"" + name + "\": it has no such array; it has " + of_points +
+                   (of_points.empty() || of_cells.empty() ? "" : ", ") + of_cells);
+}
+
+//! The faces of a slab for which the test holds, with their data.
+template <class Test>
+vtkSmartPointer<vtkPolyData> faces_of(vtkPolyData& slab, Test test)
+{
+  auto some = vtkSmartPointer<vtkPolyData>::New();
+  some->SetPoints(slab.GetPoints());
+  some->GetPointData()->ShallowCopy(slab.GetPointData());
+  some->GetCellData()->CopyAllocate(slab.GetCellData(), slab.GetNumberOfCells());
+  vtkNew<vtkCellArray> faces;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType face = 0; face < slab.GetNumberOfCells(); ++face) {
+    slab.GetCellPoints(face, corners);
+    if (!test(face, *corners))
+      continue;
+    some->GetCellData()->CopyData(slab.GetCellData(), face, faces->InsertNextCell(corners));
+  }
+  some->SetPolys(faces);
+  return some;
+}
+
+} // namespace
+
+std::array<double, 2> range_of_target(vtkUnstructuredGrid& target, const std::string& array)
+{
+  return finite_range(find_target_array(*visible_shell(target, false), array));
+}
+
+TargetActors::TargetActors(const SnapshotOptions& options, bool cut, vtkRenderer& renderer)
+    : field_(options.target_field),
+      direction_(camera_axes(options.view).direction),
+      along_axis_(options.view == View::side || options.view == View::top),
+      cut_(cut)
+{
+  for (Surface* surface : {&with_edges_, &edge_on_, &rim_}) {
+    surface->mapper->ScalarVisibilityOff();
+    surface->actor->SetMapper(surface->mapper);
+    vtkProperty& look = *surface->actor->GetProperty();
+    look.SetColor(0.74, 0.77, 0.80);
+    look.SetEdgeColor(0.45, 0.48, 0.52);
+    // Colours are to be compared with those of the bar, and a dent's inside is seen at a flat angle.
+    look.SetAmbient(field_.empty() && !along_axis_ ? 0.35 : 0.6);
+    look.SetDiffuse(field_.empty() && !along_axis_ ? 0.65 : 0.4);
+    look.SetLineWidth(1);
+    look.SetInterpolationToFlat();
+    renderer.AddActor(surface->actor);
+  }
+  with_edges_.actor->GetProperty()->SetEdgeVisibility(true);
+  if (along_axis_) { // of a flat target nothing else is seen; of one that is cut open, the section
+    rim_.actor->GetProperty()->SetColor(0.36, 0.39, 0.43);
+    rim_.actor->GetProperty()->SetAmbient(0.35);
+    rim_.actor->GetProperty()->SetDiffuse(0.65);
+  }
+}
+
+TargetActors::~TargetActors() = default;
+
+void TargetActors::show(vtkUnstructuredGrid* target, const std::array<double, 2>& range)
+{
+  for (Surface* surface : {&with_edges_, &edge_on_, &rim_})
+    surface->actor->SetVisibility(target != nullptr);
+  if (!target)
+    return;
+  const auto shell = visible_shell(*target, cut_);
+  const auto slab = make_slab(*shell, thickness_of(*target));
+  vtkDataArray& rim = *slab->GetCellData()->GetArray("rim");
+  const auto is_rim = [&](vtkIdType face) { return rim.GetComponent(face, 0) == 1; };
+  // Seen edge-on, the element edges would lie side by side and paint the face black.
+  const auto faces_camera = [&](vtkIdList& corners) {
+    std::array<double, 3> n{};
+    vtkPolygon::ComputeNormal(slab->GetPoints(), static_cast<int>(corners.GetNumberOfIds()),
+                              corners.GetPointer(0), n.data());
+    return std::abs(n[0] * direction_[0] + n[1] * direction_[1] + n[2] * direction_[2]) > 0.1;
+  };
+  with_edges_.mapper->SetInputData(
+      faces_of(*slab, [&](vtkIdType face, vtkIdList& c) { return !is_rim(face) && faces_camera(c); }));
+  edge_on_.mapper->SetInputData(
+      faces_of(*slab, [&](vtkIdType face, vtkIdList& c) { return !is_rim(face) && !faces_camera(c); }));
+  rim_.mapper->SetInputData(faces_of(*slab, [&](vtkIdType face, vtkIdList&) { return is_rim(face); }));
+  if (!field_.empty())
+    colour_by_field(*shell, range);
+}
+
+void TargetActors::colour_by_field(vtkUnstructuredGrid& shell, const std::array<double, 2>& range)
+{
+  find_target_array(shell, field_); // says it if it is not there
+  const bool of_points = shell.GetPointData()->GetArray(field_.c_str()) != nullptr;
+  vtkSmartPointer<vtkLookupTable> map = make_colour_map(range[0], range[1]);
+  map->SetVectorModeToMagnitude();
+  map->SetNanColor(0.74, 0.77, 0.80, 1);
+  for (Surface* surface : {&with_edges_, &edge_on_, &rim_}) {
+    if (surface == &rim_ && along_axis_ && cut_)
+      continue; // the section stays dark, or the dent would not be seen against what lies behind it
+    surface->mapper->SetLookupTable(map);
+    surface->mapper->UseLookupTableScalarRangeOn();
+    surface->mapper->SetColorModeToMapScalars();
+    surface->mapper->ScalarVisibilityOn();
+    if (of_points)
+      surface->mapper->SetScalarModeToUsePointFieldData();
+    else
+      surface->mapper->SetScalarModeToUseCellFieldData();
+    surface->mapper->SelectColorArray(field_.c_str());
+  }
+}
+
+} // namespace birdstrike
