@@ -101,7 +101,9 @@ vtkSmartPointer<vtkUnstructuredGrid> mesh_target_to_vtk(const MeshTarget& target
       hidden->InsertNextValue(gone ? vtkDataSetAttributes::HIDDENCELL : 0);
     grid->GetCellData()->AddArray(hidden);
   }
-  add_field_value(*grid->GetFieldData(), "thickness", mesh.parts.front().thickness);
+  if (!target.shells()) // that of shells is a cell array
+    add_field_value(*grid->GetFieldData(), "thickness", mesh.parts.front().thickness);
+  add_field_value(*grid->GetFieldData(), "middle_surface", 1); // the points lie in the middle of the thickness
   add_field_value(*grid->GetFieldData(), "TimeValue", time);
   return grid;
 }
