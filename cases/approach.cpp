@@ -64,10 +64,11 @@ private:
   }
 };
 
-//! Way from \p from along \p direction to a triangle, or infinity.
-double way_to(const Vector3& from, const Vector3& direction, const std::array<Vector3, 3>& t)
+//! Way from \p from along \p direction until within \p reach of a triangle's plane, or infinity if its line misses it.
+double way_to(const Vector3& from, const Vector3& direction, double reach, const std::array<Vector3, 3>& t)
 {
-  constexpr double slack = 1e-9; // a line through a side belongs to both its triangles
+  constexpr double flattest = 0.1; // sine of the angle below which the reach is not stretched further
+  constexpr double slack = 1e-9;   // a line through a side belongs to both its triangles
   const Vector3 a = t[1] - t[0], b = t[2] - t[0], p = direction.cross(b);
   const double det = a.dot(p);
   if (std::abs(det) < 1e-14 * a.norm() * b.norm())
@@ -76,12 +77,13 @@ double way_to(const Vector3& from, const Vector3& direction, const std::array<Ve
   const double u = s.dot(p) / det, v = direction.dot(q) / det;
   if (u < -slack || v < -slack || u + v > 1 + slack)
     return std::numeric_limits<double>::infinity();
-  return b.dot(q) / det;
+  const double sine = std::abs(a.cross(b).normalized().dot(direction));
+  return b.dot(q) / det - reach / std::max(sine, flattest);
 }
 
 } // namespace
 
-Approach approach(const Particles& bird, const Vector3& direction, const ShellMesh& target)
+Approach approach(const Particles& bird, const Vector3& direction, double reach, const ShellMesh& target)
 {
   const View view(bird, direction);
   std::vector<double> way(bird.size(), std::numeric_limits<double>::infinity());
@@ -91,9 +93,10 @@ Approach approach(const Particles& bird, const Vector3& direction, const ShellMe
       corner[k] = target.points[static_cast<std::size_t>(element[k])];
     for (int half = 0; half < (is_triangle(element) ? 1 : 2); ++half) {
       const std::array<Vector3, 3> triangle{corner[0], corner[half == 0 ? 1 : 2], corner[half == 0 ? 2 : 3]};
-      view.near(
-          {view.project(triangle[0]), view.project(triangle[1]), view.project(triangle[2])},
-          [&](std::size_t i) { way[i] = std::min(way[i], way_to(bird.position(i), direction, triangle)); });
+      view.near({view.project(triangle[0]), view.project(triangle[1]), view.project(triangle[2])},
+                [&](std::size_t i) {
+                  way[i] = std::min(way[i], way_to(bird.position(i), direction, reach, triangle));
+                });
     }
   }
   Approach result{std::numeric_limits<double>::infinity(), 0};

@@ -9,13 +9,14 @@ namespace birdstrike {
 
 struct Approach
 {
-  double way = 0;    //!< least distance along the flight from the middle of a particle to the surface [m]
+  double way = 0;    //!< until the first particle is within reach of the surface [m]
   double missed = 0; //!< share of the bird's mass that flies past [-]
 };
 
 //! Straight lines from every particle along \p direction, against the elements as triangles.
 //! \param direction  of the flight, of length 1
+//! \param reach      distance from the surface, across it, at which a particle has arrived [m]
 //! \return way is infinite if nothing meets the target
-Approach approach(const Particles& bird, const Vector3& direction, const ShellMesh& target);
+Approach approach(const Particles& bird, const Vector3& direction, double reach, const ShellMesh& target);
 
 } // namespace birdstrike

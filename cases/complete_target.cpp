@@ -102,12 +102,16 @@ void complete_target(Case& parsed, bool contact_given)
   if (target.spin != 0 && target.spin_axis == std::array<double, 3>{})
     throw InputError(fmt::format("{}: target.spin_axis = [0, 0, 0] is no direction", file));
   if (target.supports.empty()) {
+    const auto clamp = [&target](const char* set) {
+      SupportCase& row = target.supports.emplace_back();
+      row.name = row.nodes = set;
+    };
     if (target.shape == "plate" || target.shape == "windshield")
-      target.supports.push_back({.name = "edges", .nodes = "edges"});
+      clamp("edges");
     else if (target.shape == "leading-edge")
-      target.supports = {{.name = "spar", .nodes = "spar"}, {.name = "ribs", .nodes = "ribs"}};
+      clamp("spar"), clamp("ribs");
     else if (target.shape == "blade")
-      target.supports.push_back({.name = "root", .nodes = "root"});
+      clamp("root");
     else
       throw InputError(fmt::format("{}: target.supports is missing: a mesh needs at least one, for example\n"
                                    "  [target.supports.rim]\n  nodes = \"boundary\"",

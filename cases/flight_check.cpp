@@ -7,7 +7,7 @@
 
 namespace birdstrike {
 
-std::vector<std::string> flight_warnings(const Particles& bird, const RigidPlate& plate,
+std::vector<std::string> flight_warnings(const Particles& bird, const RigidPlate* plate,
                                          const Settings& settings)
 {
   if (settings.periodic) // a plane wave is not meant to run to the end
@@ -16,8 +16,9 @@ std::vector<std::string> flight_warnings(const Particles& bird, const RigidPlate
   for (std::size_t i = 0; i < bird.size(); ++i) {
     mass += bird.mass[i];
     const double way = bird.vx[i] > 0 ? -bird.x[i] / bird.vx[i] : 0; // until it meets the plate's plane [s]
-    past +=
-        plate.element_at(bird.y[i] + way * bird.vy[i], bird.z[i] + way * bird.vz[i]) < 0 ? bird.mass[i] : 0;
+    past += plate && plate->element_at(bird.y[i] + way * bird.vy[i], bird.z[i] + way * bird.vz[i]) < 0
+                ? bird.mass[i]
+                : 0;
     nose = std::max(nose, bird.x[i]);
     tail = std::min(tail, bird.x[i]);
     speed = std::max(speed, bird.vx[i]); // into the plate
@@ -28,8 +29,8 @@ std::vector<std::string> flight_warnings(const Particles& bird, const RigidPlate
     warnings.push_back(
         fmt::format("{:.1f} % of the bird's mass flies past the plate of {:g} m x {:g} m; enlarge "
                     "target.plate.size unless that is meant",
-                    100 * past / mass, plate.size_y, plate.size_z));
-  if (speed > 0 && -tail / speed > settings.end_time)
+                    100 * past / mass, plate->size_y, plate->size_z));
+  if (plate && speed > 0 && -tail / speed > settings.end_time)
     warnings.push_back(
         fmt::format("the run ends at {:g} ms, before the {} has reached the plate at {:.3g} ms; enlarge "
                     "run.end for the whole impact",
@@ -41,7 +42,7 @@ std::vector<std::string> flight_warnings(const Particles& bird, const RigidPlate
                     "few neighbours, "
                     "which reads as tension, and the bird contracts in free flight; 0 has no such skin",
                     settings.tension_cutoff));
-  if (-nose < bird.initial_smoothing)
+  if (plate && -nose < bird.initial_smoothing)
     warnings.push_back(
         fmt::format("the bird starts within {:.3g} mm of the plate, the reach of its particles at this "
                     "spacing, and feels it at once; enlarge bird.gap or refine bird.spacing",

@@ -13,7 +13,8 @@ namespace birdstrike {
 
 //! One sentence for each: flesh that flies past the plate, a run that ends before the tail has arrived, a start within
 //! the plate's reach.
-std::vector<std::string> flight_warnings(const Particles& bird, const RigidPlate& plate,
+//! \param plate  null for any other target
+std::vector<std::string> flight_warnings(const Particles& bird, const RigidPlate* plate,
                                          const Settings& settings);
 
 } // namespace birdstrike

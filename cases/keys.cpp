@@ -40,11 +40,11 @@ constexpr std::array named_tables{
     NamedTable{"eos.", [](const Case& c) { return names_of(c.laws); },
                [](Case& c, const std::string& name) { c.laws.emplace_back().name = name; }},
     NamedTable{"target.parts.", [](const Case& c) { return names_of(c.target.parts); },
-               [](Case& c, const std::string& name) { c.target.parts.push_back({.name = name}); }},
+               [](Case& c, const std::string& name) { c.target.parts.emplace_back().name = name; }},
     NamedTable{"target.supports.", [](const Case& c) { return names_of(c.target.supports); },
-               [](Case& c, const std::string& name) { c.target.supports.push_back({.name = name}); }},
+               [](Case& c, const std::string& name) { c.target.supports.emplace_back().name = name; }},
     NamedTable{"deflections.", [](const Case& c) { return names_of(c.deflections); },
-               [](Case& c, const std::string& name) { c.deflections.push_back({.name = name}); }}};
+               [](Case& c, const std::string& name) { c.deflections.emplace_back().name = name; }}};
 
 const NamedTable* table_of(std::string_view path)
 {

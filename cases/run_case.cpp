@@ -3,6 +3,7 @@
 #include "cases/run_case.h"
 
 #include "cases/build_bird.h"
+#include "cases/build_target.h"
 #include "cases/figures.h"
 #include "cases/flight_check.h"
 #include "cases/history_file.h"
@@ -69,7 +70,9 @@ public:
     if (transducers_)
       transducers_->flush();
     const auto bird = particles_to_vtk(run.particles(), run.time());
-    const auto target = run.plate() ? plate_to_vtk(*run.plate(), run.time()) : nullptr;
+    const auto target = run.plate()         ? plate_to_vtk(*run.plate(), run.time())
+                        : run.mesh_target() ? mesh_target_to_vtk(*run.mesh_target(), run.time())
+                                            : nullptr;
     series_.write_frame(run.time(), *bird, target);
     check_balance(run);
   }
@@ -106,12 +109,6 @@ private:
   Log& log_;
   bool balance_warned_ = false;
 };
-
-RigidPlate make_plate(const TargetCase& target)
-{
-  return make_rigid_plate(target.size[0], target.size[1], target.thickness, target.elements[0],
-                          target.elements[1]);
-}
 
 void say_lines(Log& log, const std::string& text)
 {
@@ -202,9 +199,15 @@ void run_case(const Case& parsed, const RunOptions& options, Log& log)
   BuiltBird bird = build_bird(parsed, log);
   Settings settings = parsed.run;
   settings.threads = options.threads;
-  const RigidPlate plate = make_plate(parsed.target);
-  const std::vector<std::string> warnings = flight_warnings(bird.particles, plate, settings);
-  Simulation run(std::move(bird.particles), plate, settings, transducers_of(parsed));
+  BuiltTarget target = build_target(parsed, log);
+  std::vector<std::string> warnings;
+  if (target.target.mesh)
+    warnings = place_before(parsed, target.target.mesh->mesh(), bird.particles, bird.flight);
+  for (const std::string& warning :
+       flight_warnings(bird.particles, target.target.plate ? &*target.target.plate : nullptr, settings))
+    warnings.push_back(warning);
+  Simulation run(std::move(bird.particles), std::move(target.target), settings, transducers_of(parsed),
+                 std::move(target.deflections));
 
   // Nothing is touched on the disk before the input is known to be right.
   prepare_output_folder(options.output);
