@@ -157,9 +157,9 @@ ShellSettings settings_of(const TargetCase& t)
   return settings;
 }
 
-std::vector<DeflectionPoint> deflection_points(const Case& parsed, const ShellMesh& mesh, Log& log)
+std::vector<DeflectionGauge> deflection_points(const Case& parsed, const ShellMesh& mesh, Log& log)
 {
-  std::vector<DeflectionPoint> points;
+  std::vector<DeflectionGauge> points;
   for (const DeflectionCase& row : parsed.deflections) {
     const Vector3 wanted(row.at.data());
     const auto nearest =
@@ -211,7 +211,7 @@ BuiltTarget build_target(const Case& parsed, Log& log)
   contact.stiffness_scale = t.contact_stiffness;
   log.info(fmt::format("target: {} nodes, {} elements, parts {}", mesh.points.size(), mesh.elements.size(),
                        part_names(mesh)));
-  std::vector<DeflectionPoint> points = deflection_points(parsed, mesh, log);
+  std::vector<DeflectionGauge> points = deflection_points(parsed, mesh, log);
   if (t.rigid)
     return {Target(MeshTarget(std::move(mesh)), contact), std::move(points)};
   const std::vector<ShellSection> sections = sections_of(parsed, mesh, log);

@@ -14,7 +14,7 @@ class Log;
 struct BuiltTarget
 {
   Target target;
-  std::vector<DeflectionPoint> deflections;
+  std::vector<DeflectionGauge> deflections;
 };
 
 //! Is the target a mesh, rigid or not, rather than the rigid plate that mirrors the flow?

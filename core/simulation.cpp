@@ -79,7 +79,7 @@ struct Simulation::State
   std::optional<ParticleContact> contact; // with mesh
   std::vector<double> fx, fy, fz;         // of contact on the particles [N]
   std::vector<Vector3> node_force;        // of contact on the nodes of mesh [N]
-  std::vector<DeflectionPoint> deflections;
+  std::vector<DeflectionGauge> deflections;
 
   Rates rates;
   SphRates sph;
@@ -96,7 +96,7 @@ struct Simulation::State
   std::optional<double> first_contact;
 
   State(Particles p, Target target, const Settings& s, std::vector<Transducer> faces,
-        std::vector<DeflectionPoint> points)
+        std::vector<DeflectionGauge> points)
       : settings(s),
         particles(std::move(p)),
         plate(std::move(target.plate)),
@@ -325,7 +325,7 @@ void Simulation::State::book()
 }
 
 Simulation::Simulation(Particles particles, Target target, const Settings& settings,
-                       std::vector<Transducer> transducers, std::vector<DeflectionPoint> deflections)
+                       std::vector<Transducer> transducers, std::vector<DeflectionGauge> deflections)
 {
   check(settings, particles, target.plate ? &*target.plate : nullptr);
   require(particles.size() > 0 || target.mesh, "there is neither a bird nor a target that could move");

@@ -39,7 +39,7 @@ public:
   //! \param deflections  nodes of a mesh target that histories follow
   //! \throw InputError if the settings are out of range, or a particle starts behind the plate or in touch with the target
   Simulation(Particles particles, Target target, const Settings& settings,
-             std::vector<Transducer> transducers = {}, std::vector<DeflectionPoint> deflections = {});
+             std::vector<Transducer> transducers = {}, std::vector<DeflectionGauge> deflections = {});
   ~Simulation();
   Simulation(Simulation&&) noexcept;
 

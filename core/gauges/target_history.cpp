@@ -33,13 +33,13 @@ Largest largest_displacement(const MeshTarget& target)
 
 } // namespace
 
-void add_target_columns(History& history, const std::vector<DeflectionPoint>& points)
+void add_target_columns(History& history, const std::vector<DeflectionGauge>& points)
 {
   history.columns.insert(history.columns.end(), {{"max_deflection", "m"},
                                                  {"max_deflection_x", "m"},
                                                  {"max_deflection_y", "m"},
                                                  {"max_deflection_z", "m"}});
-  for (const DeflectionPoint& point : points)
+  for (const DeflectionGauge& point : points)
     history.columns.push_back({"deflection_" + point.name, "m"});
   history.columns.insert(history.columns.end(), {{"target_kinetic_energy", "J"},
                                                  {"target_internal_energy", "J"},
@@ -56,14 +56,14 @@ void add_target_columns(History& history, const std::vector<DeflectionPoint>& po
                                                  {"leaked_particles", "-"}});
 }
 
-void record_target(History& history, const MeshTarget& target, const std::vector<DeflectionPoint>& points,
+void record_target(History& history, const MeshTarget& target, const std::vector<DeflectionGauge>& points,
                    const Ledger& ledger, long leaked)
 {
   std::vector<double>& v = history.values;
   const Largest largest = largest_displacement(target);
   const Vector3& place = target.mesh().points[largest.node];
   v.insert(v.end(), {largest.deflection, place[0], place[1], place[2]});
-  for (const DeflectionPoint& point : points)
+  for (const DeflectionGauge& point : points)
     v.push_back(target.displacement(point.node)[0]);
   const ShellEnergy& e = ledger.target;
   v.insert(v.end(), {e.kinetic, e.internal, e.plastic, e.hourglass, ledger.contact, ledger.friction, e.eroded,

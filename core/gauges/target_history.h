@@ -12,7 +12,7 @@
 namespace birdstrike {
 
 //! A node whose displacement is followed.
-struct DeflectionPoint
+struct DeflectionGauge
 {
   std::string name;
   std::size_t node = 0;
@@ -21,12 +21,12 @@ struct DeflectionPoint
 //! Add the columns max_deflection, max_deflection_x, max_deflection_y, max_deflection_z (the place before the load),
 //! deflection_<name> ..., target_kinetic_energy, target_internal_energy, plastic_energy, hourglass_energy, contact_energy,
 //! friction_energy, eroded_energy, external_work, support_impulse_{x,y,z}, eroded_elements, leaked_particles.
-void add_target_columns(History& history, const std::vector<DeflectionPoint>& points);
+void add_target_columns(History& history, const std::vector<DeflectionGauge>& points);
 
 //! Append the state of this moment. max_deflection is the length of the largest displacement of any node of an element
 //! that stands; deflection_<name> is the displacement along x, positive along the bird's flight.
 //! \param leaked  particles that have passed the target other than through a hole
-void record_target(History& history, const MeshTarget& target, const std::vector<DeflectionPoint>& points,
+void record_target(History& history, const MeshTarget& target, const std::vector<DeflectionGauge>& points,
                    const Ledger& ledger, long leaked);
 
 } // namespace birdstrike
