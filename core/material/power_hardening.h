@@ -40,6 +40,7 @@ struct PowerHardening
     const double part = (known - A) * power_nearby(n, change);
     return {A + part, n * part / plastic_strain};
   }
+  bool smooth_between(double, double) const { return true; }
   std::string describe() const
   {
     return format_text("hardening %.6g MPa + %.6g MPa eps_p^%.4g", A / 1e6, B / 1e6, n);

@@ -116,13 +116,16 @@ std::pair<double, Returned> flow(const HardeningLaw& hardens, const Rate& hasten
       continue;
     }
     // What is left after this step, by its second order: x^2 f'' is at most x f' for powers and logarithms, and that of
-    // 1/q at most (3G lambda)^2.
-    const double share = next / lambda - 1, turn = std::min(k.shear * lambda, 1.0);
+    // 1/q at most 3/4 (K - 3G)^2 lambda^2.
+    const double share = next / lambda - 1, apart = std::min((k.shear - k.sum) * lambda, 1.0);
     const double left =
-        0.5 * share * share * (yield_over_strain * at.plastic_strain * at.inverse_q + turn * turn);
+        0.5 * share * share * (yield_over_strain * at.plastic_strain * at.inverse_q + 0.75 * apart * apart);
     lambda = next;
-    if (left < tolerance) {
+    if (left < tolerance && std::abs(share) < 0.1) {
       const Returned end = returned(lambda, k, a_2, shears_2);
+      if (!hardens.smooth_between(strain, point.plastic_strain + end.plastic_strain) ||
+          !hastens.smooth_between(at.plastic_strain * inverse_dt, end.plastic_strain * inverse_dt))
+        continue;
       slow_yield = yield_at(hardens, point.plastic_strain + end.plastic_strain, known, known_at).stress *
                    point.softening;
       return {lambda, end};
