@@ -13,6 +13,7 @@ namespace birdstrike {
 
 //! Every law has
 //!   YieldPoint at(double plastic_strain) const; // slow, at room temperature; must not fall
+//!   bool smooth_between(double strain, double other) const; // no kink there?
 //!   void check() const;                         // throws InputError
 //!   std::string describe() const;               // a few words for logs
 //! The yield stress of a moment is at(eps_p).stress times the factors of rate_law.h and plastic_heat.h.

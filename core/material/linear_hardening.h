@@ -17,6 +17,7 @@ struct NoYield
 {
   void check() const {}
   YieldPoint at(double) const { return {std::numeric_limits<double>::infinity(), 0}; }
+  bool smooth_between(double, double) const { return true; }
   std::string describe() const { return "elastic"; }
 };
 
@@ -37,6 +38,7 @@ struct LinearHardening
   {
     return {yield + plastic_modulus * plastic_strain, plastic_modulus};
   }
+  bool smooth_between(double, double) const { return true; }
   std::string describe() const
   {
     return format_text("linear hardening from %.6g MPa, modulus %.6g MPa", yield / 1e6,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/error.h"
+#include "core/material/power_nearby.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +33,7 @@ struct PlasticHeat
     require(room > 0 && start > 0, "heat: temperatures must be above absolute zero");
     require(melting == 0 || (std::isfinite(melting) && melting > room),
             "heat: the melting temperature must be above room temperature");
-    require(std::isfinite(exponent) && exponent >= 0, "heat: the exponent of softening must be positive");
+    require(exponent >= 0 && exponent <= 3, "heat: the exponent of softening must be positive, at most 3");
     require(exponent == 0 || melting > 0, "heat: softening needs the melting temperature");
   }
   //! \param plastic_work [J/m3]  \param density [kg/m3]
@@ -52,6 +53,14 @@ struct PlasticHeat
       return 1;
     const double T = homologous(rise);
     return T > 0 ? std::max(1 - std::exp(exponent * std::log(T)), least_factor) : 1;
+  }
+  //! The same, at less cost where \p known, the factor of another rise, is near.
+  double softening(double rise, double known, double known_rise) const
+  {
+    const double change = (rise - known_rise) / (start + known_rise - room);
+    if (!(std::abs(change) < nearby && known > 2 * least_factor && known < 1) || start < room)
+      return softening(rise);
+    return std::max(1 - (1 - known) * power_nearby(exponent, change), least_factor);
   }
 };
 

@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "core/format_text.h"
+#include "core/material/power_nearby.h"
 #include "core/material/yield_point.h"
 
 #include <cmath>
@@ -21,15 +22,25 @@ struct PowerHardening
   {
     require(std::isfinite(A) && A > 0, "power hardening: A must be positive");
     require(std::isfinite(B) && B >= 0, "power hardening: B must be 0 or more");
-    require(std::isfinite(n) && n > 0 && n <= 10, "power hardening: n must be above 0, at most 10");
+    require(std::isfinite(n) && n > 0 && n <= 3, "power hardening: n must be above 0, at most 3");
   }
   YieldPoint at(double plastic_strain) const
   {
     if (!(plastic_strain > 0))
       return {A, n < 1 && B > 0 ? std::numeric_limits<double>::infinity() : n > 1 ? 0 : B};
-    const double part = B * std::exp(n * std::log(plastic_strain)); // twice as fast as std::pow
+    const double part = B * std::exp(n * std::log(plastic_strain));
     return {A + part, n * part / plastic_strain};
   }
+  //! The same, at less cost where \p known, the stress at another strain, is near.
+  YieldPoint at(double plastic_strain, double known, double known_at) const
+  {
+    const double change = plastic_strain / known_at - 1;
+    if (!(std::abs(change) < nearby))
+      return at(plastic_strain);
+    const double part = (known - A) * power_nearby(n, change);
+    return {A + part, n * part / plastic_strain};
+  }
+  bool smooth_between(double, double) const { return true; }
   std::string describe() const
   {
     return format_text("hardening %.6g MPa + %.6g MPa eps_p^%.4g", A / 1e6, B / 1e6, n);

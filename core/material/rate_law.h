@@ -21,6 +21,7 @@ struct NoRateEffect
 {
   void check() const {}
   RateFactor at(double) const { return {1, 0}; }
+  bool smooth_between(double, double) const { return true; }
   std::string describe() const { return "no effect of rate"; }
 };
 
@@ -43,6 +44,7 @@ struct CowperSymonds
     const double part = std::pow(rate / C, 1 / p);
     return {1 + part, part / (p * rate)};
   }
+  bool smooth_between(double, double) const { return true; }
   std::string describe() const { return format_text("Cowper-Symonds, C %.6g 1/s, p %.4g", C, p); }
 };
 
@@ -64,12 +66,15 @@ struct LogarithmicRate
       return {1, 0};
     return {1 + std::log(rate / D) / p, 1 / (p * rate)};
   }
+  bool smooth_between(double rate, double other) const { return (rate > D) == (other > D); }
   std::string describe() const
   {
     return format_text("rate factor 1 + %.5g ln(rate / %.6g 1/s) above that rate", 1 / p, D);
   }
 };
 
+//! Every law has at(rate), smooth_between(rate, other), whether it has no kink there, check(), which throws InputError,
+//! and describe().
 using RateLaw = std::variant<NoRateEffect, CowperSymonds, LogarithmicRate>;
 
 } // namespace birdstrike

@@ -51,8 +51,23 @@ Returned returned(double lambda, const Moduli& k, double a_2, double shears_2)
 {
   const double sums = 1 + k.sum * lambda, shears = 1 + k.shear * lambda;
   const double both = 1 / (sums * shears), s = both * shears, t = both * sums; // one division
-  const double q_2 = a_2 * s * s + shears_2 * t * t, inverse_q = 1 / std::sqrt(q_2), q = q_2 * inverse_q;
-  return {s, t, q, inverse_q, lambda * q};
+  const double q_2 = a_2 * s * s + shears_2 * t * t, q = std::sqrt(q_2);
+  return {s, t, q, q * (1 / q_2), lambda * q}; // the root and the division side by side
+}
+
+template <class Law>
+concept KnowsNearby = requires(const Law& law)
+{
+  law.at(0.1, 1.0, 0.1);
+};
+
+template <class Law>
+YieldPoint yield_at(const Law& law, double strain, double known, double known_at)
+{
+  if constexpr (KnowsNearby<Law>)
+    return law.at(strain, known, known_at);
+  else
+    return law.at(strain);
 }
 
 //! Lambda of the end state, and it.
@@ -74,9 +89,13 @@ std::pair<double, Returned> flow(const HardeningLaw& hardens, const Rate& hasten
   if (!(lambda > 0 && lambda < high))
     lambda = high;
 
+  double known_at = point.plastic_strain, known = point.yield / point.softening;
   for (int i = 0; i < most_iterations; ++i) {
     const Returned at = returned(lambda, k, a_2, shears_2);
-    const YieldPoint slow = hardens.at(point.plastic_strain + at.plastic_strain);
+    const double strain = point.plastic_strain + at.plastic_strain;
+    const YieldPoint slow = yield_at(hardens, strain, known, known_at);
+    known = slow.stress;
+    known_at = strain;
     const RateFactor fast = hastens.at(at.plastic_strain * inverse_dt);
     slow_yield = slow.stress * point.softening;
     const double yield = slow_yield * fast.factor, value = yield * at.inverse_q - 1;
@@ -97,14 +116,18 @@ std::pair<double, Returned> flow(const HardeningLaw& hardens, const Rate& hasten
       continue;
     }
     // What is left after this step, by its second order: x^2 f'' is at most x f' for powers and logarithms, and that of
-    // 1/q at most (3G lambda)^2.
-    const double share = next / lambda - 1, turn = std::min(k.shear * lambda, 1.0);
+    // 1/q at most 3/4 (K - 3G)^2 lambda^2.
+    const double share = next / lambda - 1, apart = std::min((k.shear - k.sum) * lambda, 1.0);
     const double left =
-        0.5 * share * share * (yield_over_strain * at.plastic_strain * at.inverse_q + turn * turn);
+        0.5 * share * share * (yield_over_strain * at.plastic_strain * at.inverse_q + 0.75 * apart * apart);
     lambda = next;
-    if (left < tolerance) {
+    if (left < tolerance && std::abs(share) < 0.1) {
       const Returned end = returned(lambda, k, a_2, shears_2);
-      slow_yield += slow.slope * point.softening * (end.plastic_strain - at.plastic_strain);
+      if (!hardens.smooth_between(strain, point.plastic_strain + end.plastic_strain) ||
+          !hastens.smooth_between(at.plastic_strain * inverse_dt, end.plastic_strain * inverse_dt))
+        continue;
+      slow_yield = yield_at(hardens, point.plastic_strain + end.plastic_strain, known, known_at).stress *
+                   point.softening;
       return {lambda, end};
     }
   }
@@ -150,8 +173,9 @@ std::pair<double, Returned> flow(const HardeningLaw& hardens, const Rate& hasten
   point.plastic_work += 0.5 * lambda * (end.q * end.q + begin_work);
 
   if (material.heat.specific_heat > 0) {
-    point.temperature_rise = material.heat.rise(point.plastic_work, material.density);
-    const double softening = material.heat.softening(point.temperature_rise);
+    const double rise = material.heat.rise(point.plastic_work, material.density);
+    const double softening = material.heat.softening(rise, point.softening, point.temperature_rise);
+    point.temperature_rise = rise;
     slow_yield *= softening / point.softening;
     point.softening = softening;
   }

@@ -22,15 +22,21 @@ public:
   void check() const {} // nothing that the constructor let through
   YieldPoint at(double plastic_strain) const
   {
-    // Few rows: from the front is faster than halving.
-    std::size_t k = 0;
-    while (k + 1 < strain_.size() && plastic_strain >= strain_[k + 1])
-      ++k;
+    const std::size_t k = row(plastic_strain);
     return {stress_[k] + slope_[k] * std::max(plastic_strain - strain_[k], 0.0), slope_[k]};
   }
+  bool smooth_between(double strain, double other) const { return row(strain) == row(other); }
   std::string describe() const;
 
 private:
+  std::size_t row(double plastic_strain) const
+  {
+    std::size_t k = 0; // few rows: from the front is faster than halving
+    while (k + 1 < strain_.size() && plastic_strain >= strain_[k + 1])
+      ++k;
+    return k;
+  }
+
   std::vector<double> strain_, stress_, slope_;
 };
 

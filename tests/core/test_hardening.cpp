@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/error.h"
 #include "core/material/hardening.h"
+#include "core/material/plastic_heat.h"
 #include "core/material/rate_law.h"
 
 #include <catch2/catch.hpp>
@@ -55,6 +56,24 @@ TEST_CASE("hardening laws have the stress of their formula", "[hardening]")
   CHECK(table.at(5).stress == Approx(420e6));
   CHECK(table.at(5).slope == 0);
   CHECK(std::isinf(NoYield{}.at(0).stress));
+}
+
+TEST_CASE("a power taken from one nearby is the power to rounding", "[hardening]")
+{
+  const PowerHardening law{369e6, 684e6, 0.26};
+  const PlasticHeat heat{.specific_heat = 900, .melting = 900, .exponent = 1.7};
+  double stress = law.at(0.01).stress, softening = heat.softening(20);
+  for (double strain = 0.01, rise = 20; strain < 0.5;) { // in a chain of thousands
+    const double strain_next = strain * 1.003, rise_next = rise * 1.0015;
+    stress = law.at(strain_next, stress, strain).stress;
+    softening = heat.softening(rise_next, softening, rise);
+    strain = strain_next;
+    rise = rise_next;
+    REQUIRE(stress == Approx(law.at(strain).stress).epsilon(1e-13));
+    REQUIRE(softening == Approx(heat.softening(rise)).epsilon(1e-12));
+  }
+  CHECK(law.at(0.3, 369e6, 0).stress == law.at(0.3).stress); // far away
+  CHECK(heat.softening(100, 1, 0) == heat.softening(100));
 }
 
 TEST_CASE("rate laws begin at one and have the slope of their factor", "[hardening]")

@@ -18,7 +18,8 @@ std::vector<ShellMaterial> samples()
   std::vector<ShellMaterial> all;
   const Hardening hardenings[] = {NoYield{}, LinearHardening{300e6, 500e6}, LinearHardening{300e6, 0},
                                   PowerHardening{369e6, 684e6, 0.26}, table};
-  const RateLaw rates[] = {NoRateEffect{}, CowperSymonds{40.4, 5}, LogarithmicRate{1 / 0.014, 1}};
+  const RateLaw rates[] = {NoRateEffect{}, CowperSymonds{40.4, 5}, LogarithmicRate{1 / 0.014, 1},
+                           LogarithmicRate{1 / 0.1, 200}}; // a kink in the midst of the rates
   for (const Hardening& hardening : hardenings)
     for (const RateLaw& rate : rates)
       for (const bool heats : {false, true}) {
