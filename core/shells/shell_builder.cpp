@@ -135,7 +135,7 @@ void ShellBuilder::check_shape(const Element& element, const ShellElement& corne
   for (int k = 0; k < 4; ++k)
     longest = std::max(longest, (p[k] - p[(k + 1) % 4]).squaredNorm());
   if (!(element_area(p) > least_area_share * longest))
-    fail(element.line, name + " has no area; its corners lie on a line");
+    fail(element.line, name + " has no area: its corners cross or lie on a line");
   if (!is_triangle(corners))
     for (int k = 0; k < 4; ++k)
       if (!(corner_jacobian(p, k) > least_area_share * longest))

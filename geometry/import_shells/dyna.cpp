@@ -40,12 +40,12 @@ public:
       if (!line.starts_with('*'))
         continue; // what a skipped keyword leaves; before *KEYWORD anything may stand
       line_ = row_;
-      const auto found = words(upper(line));
-      keyword_ = std::string(found[0].substr(1));
+      const std::string text = upper(line);
+      keyword_ = std::string(words(text)[0].substr(1));
       if (keyword_ == "END")
         break;
       is_deck = true;
-      take_keyword(upper(line));
+      take_keyword(text);
     }
     if (!is_deck)
       builder_.fail(0, "this is no LS-DYNA deck: no line starts with a keyword (*NODE)");

@@ -105,7 +105,7 @@ $EndElements
       {"mesh.inp", R"(*Heading
  two quads, a triangle
 ** comment
-*Node, nset=all
+*Node
 1, 0.25, -10., 0.
 2, 0.25, 10.
 3, 0.25, 30., 1.5
