@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A shell mesh put together from numbered nodes and elements, with the rules that every file format shares.
+// Long, because it is the one place that decides what is an error and what is counted.
 #include "core/shells/shell_builder.h"
 
 #include "core/error.h"

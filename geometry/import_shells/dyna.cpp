@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Shells from LS-DYNA keyword decks. Format: LS-DYNA keyword user's manual, volume I.
+// Long, because all keywords share the state of one reading; each has its own short section.
 #include "geometry/import_shells/dyna.h"
 
 #include "geometry/import_shells/text_lines.h"
