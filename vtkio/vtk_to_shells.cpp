@@ -3,38 +3,23 @@
 #include "vtkio/vtk_to_shells.h"
 
 #include "core/error.h"
-#include "vtkio/vtk_errors.h"
 
 #include <vtkCell.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
-#include <vtkDataSetReader.h>
-#include <vtkErrorCode.h>
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
-#include <vtkXMLPolyDataReader.h>
-#include <vtkXMLUnstructuredGridReader.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <fstream>
 #include <map>
 
 namespace birdstrike {
 
 namespace {
-
-std::string lower_extension(const std::filesystem::path& file)
-{
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
 
 class Converter
 {
@@ -166,28 +151,6 @@ private:
   std::map<std::int64_t, std::map<double, std::string>> thicknesses_; // keys of parts by number and thickness
 };
 
-//! Run a reader that complains instead of printing.
-template <class Reader>
-vtkSmartPointer<vtkDataSet> read_with(const std::filesystem::path& file)
-{
-  auto errors = vtkSmartPointer<VtkErrors>::New();
-  auto reader = vtkSmartPointer<Reader>::New();
-  errors->watch(*reader);
-  if constexpr (requires { reader->SetReaderErrorObserver(errors); }) {
-    reader->SetReaderErrorObserver(errors);
-    reader->SetParserErrorObserver(errors);
-  }
-  reader->SetFileName(file.string().c_str());
-  reader->Update();
-  vtkDataSet* data = vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));
-  require(data && !errors->any() && reader->GetErrorCode() == vtkErrorCode::NoError,
-          "target file '" + file.string() + "' is damaged or not what its extension says (" +
-              (errors->any() ? errors->first()
-                             : std::string(vtkErrorCode::GetStringFromErrorCode(reader->GetErrorCode()))) +
-              "); export it again");
-  return data;
-}
-
 //! Readers trust the points that cells name; a damaged file names others.
 void require_points(vtkDataSet& data, const std::string& name)
 {
@@ -207,28 +170,6 @@ ShellImport to_shells(vtkDataSet& data, double unit, const std::string& name)
 {
   require_points(data, "target file '" + name + "'");
   return Converter(data, unit, name).convert();
-}
-
-bool is_vtk_file(const std::filesystem::path& file)
-{
-  const std::string extension = lower_extension(file);
-  return extension == ".vtu" || extension == ".vtp" || extension == ".vtk";
-}
-
-ShellImport read_vtk_shells(const std::filesystem::path& file, double unit)
-{
-  const std::string name = "target file '" + file.string() + "'";
-  std::error_code error;
-  require(std::filesystem::exists(file, error), name + " does not exist; check the path");
-  require(std::filesystem::is_regular_file(file, error), name + " is not a file");
-  require(std::filesystem::file_size(file, error) > 0 && !error, name + " is empty");
-  require(std::ifstream(file).good(), name + " cannot be opened; check its permissions");
-  require(is_vtk_file(file), name + " is no .vtu, .vtp or .vtk file");
-  const std::string extension = lower_extension(file);
-  const auto data = extension == ".vtu"   ? read_with<vtkXMLUnstructuredGridReader>(file)
-                    : extension == ".vtp" ? read_with<vtkXMLPolyDataReader>(file)
-                                          : read_with<vtkDataSetReader>(file);
-  return to_shells(*data, unit, file.string());
 }
 
 } // namespace birdstrike

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A shell mesh put together from numbered nodes and elements, with the rules that every file format shares.
+// Long, because it is the one place that decides what is an error and what is counted.
 #include "core/shells/shell_builder.h"
 
 #include "core/error.h"
@@ -135,7 +136,7 @@ void ShellBuilder::check_shape(const Element& element, const ShellElement& corne
   for (int k = 0; k < 4; ++k)
     longest = std::max(longest, (p[k] - p[(k + 1) % 4]).squaredNorm());
   if (!(element_area(p) > least_area_share * longest))
-    fail(element.line, name + " has no area; its corners lie on a line");
+    fail(element.line, name + " has no area: its corners cross or lie on a line");
   if (!is_triangle(corners))
     for (int k = 0; k < 4; ++k)
       if (!(corner_jacobian(p, k) > least_area_share * longest))

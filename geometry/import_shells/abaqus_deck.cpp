@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What an Abaqus input file says about shells, card by card. Format: Abaqus keywords reference guide.
+// Long, because all cards share the state of one reading; each has its own short section.
 #include "geometry/import_shells/abaqus_deck.h"
 
 #include "geometry/import_shells/text_lines.h"

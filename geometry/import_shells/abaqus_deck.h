@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <map>
 
-
 namespace birdstrike::abaqus {
 
 //! A number, or the name of another set; in an assembly of one instance.

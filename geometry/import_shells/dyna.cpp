@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Shells from LS-DYNA keyword decks. Format: LS-DYNA keyword user's manual, volume I.
+// Long, because all keywords share the state of one reading; each has its own short section.
 #include "geometry/import_shells/dyna.h"
 
 #include "geometry/import_shells/text_lines.h"
@@ -40,12 +41,12 @@ public:
       if (!line.starts_with('*'))
         continue; // what a skipped keyword leaves; before *KEYWORD anything may stand
       line_ = row_;
-      const auto found = words(upper(line));
-      keyword_ = std::string(found[0].substr(1));
+      const std::string text = upper(line);
+      keyword_ = std::string(words(text)[0].substr(1));
       if (keyword_ == "END")
         break;
       is_deck = true;
-      take_keyword(upper(line));
+      take_keyword(text);
     }
     if (!is_deck)
       builder_.fail(0, "this is no LS-DYNA deck: no line starts with a keyword (*NODE)");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Shells from Gmsh meshes. Format: Gmsh reference manual, "MSH file format" and "MSH file format version 2".
+// Long, because the two versions share their words, groups and errors.
 #include "geometry/import_shells/gmsh.h"
 
 #include "core/error.h"

@@ -53,7 +53,7 @@ private:
     for (std::size_t row = 0; row + 1 < bulk; ++row) {
       const std::string text = upper(trimmed(lines_[row]));
       const std::size_t equal = text.find('='), line = row + 1;
-      const auto start = words(text.substr(0, equal));
+      const auto start = words(std::string_view(text).substr(0, equal));
       if (text.starts_with("INCLUDE"))
         refuse_include(line);
       if (equal == std::string::npos || start.size() != 2 || start[0] != "SET" || !to_integer(start[1]))

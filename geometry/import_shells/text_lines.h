@@ -2,6 +2,7 @@
 // Lines, fields and numbers of text decks.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -34,6 +35,13 @@ std::string upper(std::string_view text);
 std::vector<std::string_view> split(std::string_view text, char separator);
 //! Words between blanks.
 std::vector<std::string_view> words(std::string_view text);
+// The pieces point into the text, which has to outlive them.
+template <class Text>
+requires std::same_as<Text, std::string> std::vector<std::string_view> split(Text&&, char)
+= delete;
+template <class Text>
+requires std::same_as<Text, std::string> std::vector<std::string_view> words(Text&&)
+= delete;
 //! Columns first to first + width of a line, trimmed; empty behind its end.
 std::string_view columns(std::string_view line, std::size_t first, std::size_t width);
 
