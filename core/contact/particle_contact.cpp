@@ -15,10 +15,9 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double near = 0.25; // of a spacing beyond the contact distance: who comes there is looked at
 constexpr double skin = 0.4;  // of a spacing: motion of nodes until the bins are made again
-constexpr double deepest_entry = 0.25; // of the contact distance, in the step in which a particle gets there
-constexpr std::size_t most_touches = 32; // of one particle; of more, the nearest are kept
-constexpr std::size_t run_length = 256;  // particles that one thread looks at before the next run
-constexpr double least_share = 1e-9;     // of a force
+constexpr double deepest_entry = 0.25;  // of the contact distance, in the step in which a particle gets there
+constexpr std::size_t run_length = 256; // particles that one thread looks at before the next run
+constexpr double least_share = 1e-9;    // of a force
 
 //! Does the foot on piece k lie on a border with the piece before or after it, which is nearer? Then that one has the foot.
 bool is_shadowed(const std::array<TrianglePoint, 4>& points, int pieces, int k)
@@ -210,9 +209,16 @@ void ParticleContact::look_at(std::size_t row, const Moment& now, Found& found)
       if (is_shadowed(points, pieces.count, k))
         continue;
       const auto [a, b, c] = pieces.piece(k);
-      Touch touch{element, pieces.node_weights(k, point.weight), point.point,
-                  {},      (b - a).cross(c - a).normalized(),    distance,
-                  reach};
+      Touch touch{element,
+                  pieces.node_weights(k, point.weight),
+                  point.point,
+                  {},
+                  (b - a).cross(c - a).normalized(),
+                  distance,
+                  reach,
+                  {},
+                  1,
+                  0};
       if (distance > 1e-9 * reach)
         touch.normal = (p - point.point) / distance;
       else // on the midsurface: back to where it came from
@@ -263,20 +269,22 @@ void ParticleContact::look_at(std::size_t row, const Moment& now, Found& found)
 //! Push a particle away from what it touches.
 void ParticleContact::push(std::size_t row, const Moment& now, std::span<Touch> touches, Found& found)
 {
+  const auto stiffness_of = [&](const Touch& touch) {
+    return now.stiffness(*this, row, static_cast<std::size_t>(touch.element));
+  };
+  for (Touch& touch : touches)
+    touch.spring = contact_spring(stiffness_of(touch), touch.reach, touch.distance);
   share_out(touches);
   const Vector3 velocity = now.velocity(row);
   const double mass = now.particles.mass[row];
   Vector3 total = Vector3::Zero();
   double stiffness = 0, strongest = 0;
   for (const Touch& touch : touches) {
-    if (touch.share < least_share)
+    if (touch.share < least_share && std::abs(touch.force) < least_share * touch.spring.force)
       continue;
-    const auto e = static_cast<std::size_t>(touch.element);
-    const ShellElement& element = now.surface.mesh.elements[e];
-    const double k = now.stiffness(*this, row, e);
-    const SpringState spring = contact_spring(k, touch.reach, touch.distance);
-    Vector3 force = touch.share * spring.force * touch.normal;
-    last_energy_[row] += touch.share * spring.energy;
+    const ShellElement& element = now.surface.mesh.elements[static_cast<std::size_t>(touch.element)];
+    Vector3 force = touch.force * touch.normal;
+    last_energy_[row] += touch.share * touch.spring.energy;
 
     const Vector3 relative = velocity - at_foot(touch.weight, element, now.surface.velocity);
     const double approach = -relative.dot(touch.normal);
@@ -286,10 +294,12 @@ void ParticleContact::push(std::size_t row, const Moment& now, std::span<Touch> 
       for (std::size_t n = 0; n < 4; ++n)
         inverse_mass +=
             touch.weight[n] * touch.weight[n] / now.surface.mass[static_cast<std::size_t>(element[n])];
-      double viscous = settings_.friction * touch.share * spring.force /
+      double viscous = settings_.friction * std::max(touch.force, 0.0) /
                        std::sqrt(slip.squaredNorm() + settings_.friction_speed * settings_.friction_speed);
-      if (now.duration > 0) // a step must not turn the slip round
-        viscous = std::min(viscous, 0.25 / (inverse_mass * now.duration));
+      // A step must not turn the slip round; the first is not known yet, but no longer than the spring allows.
+      const double step =
+          now.duration > 0 ? now.duration : 2 / std::sqrt(touch.spring.stiffness * inverse_mass);
+      viscous = std::min(viscous, 0.25 / (inverse_mass * step));
       force -= viscous * slip;
       found.slip_power += viscous * slip.squaredNorm();
     }
@@ -297,13 +307,13 @@ void ParticleContact::push(std::size_t row, const Moment& now, std::span<Touch> 
 
     // The stiffness at the place where the particle will stop, or at half the distance.
     const double ahead =
-        touch.distance - std::min(std::max(approach, 0.0) * std::sqrt(mass / spring.stiffness),
+        touch.distance - std::min(std::max(approach, 0.0) * std::sqrt(mass / touch.spring.stiffness),
                                   0.5 * std::abs(touch.distance));
-    const double hardest = touch.share * contact_spring(k, touch.reach, ahead).stiffness;
+    const double hardest = touch.share * contact_spring(stiffness_of(touch), touch.reach, ahead).stiffness;
     stiffness += hardest;
     found.contacts.push_back({touch.element, touch.weight, force, std::abs(force.dot(touch.face)), hardest});
-    if (touch.share * spring.force > strongest) {
-      strongest = touch.share * spring.force;
+    if (touch.force > strongest) {
+      strongest = touch.force;
       last_element_[row] = touch.element;
     }
   }

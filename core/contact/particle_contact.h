@@ -5,9 +5,8 @@
 // of it (contact_stiffness.h), straight up inside an element and radially at a free edge; at folds and borders touches.h
 // tells how many elements share the push. Its opposite acts on the nodes of the element, shared by the weights that make
 // the nearest point from them. So force and counterforce are equal and in one line: momentum and, but for friction, angular
-// momentum pass from one to the other without loss. Where a single element pushes, and where walls meet at a right angle
-// or face each other, the force is the slope of the stored energy, so what goes in comes out; where the push passes from
-// one to another element across a concave fold, it misses that by the order of the angle squared.
+// momentum pass from one to the other without loss. The force is the slope of the stored energy, so what goes in comes
+// out, as long as elements keep their thickness and folds their angle.
 //
 // Which face a particle is on is where it is; one that has gone through the midsurface in one step is found from the motion
 // of both (passage.h), and until it is back it is pushed to the side that it came from. Elements that are gone are not

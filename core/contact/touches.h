@@ -9,13 +9,18 @@
 //   h_ij = max(0, n_i . (c_j - c_i))
 // is the height of foot j above the plane through foot i. Where i is the foot of a perpendicular and j a point of the same
 // plane, h_ij = 0, h_ji > 0: only i counts. The same for a second skin behind the first. In a concave fold, h_ij and h_ji
-// are both positive, and pass through 0 when the foot of one leaves it across the edge. So with
-//   share_i = 1 / (1 + sum_j max(0, n_i . n_j) h_ij q_j / (h_ji q_i))
-// two pieces that meet at a small angle have shares that add up to 1 and change from 1 to 0 continuously; walls that meet
-// at a right angle or face each other have full shares, and pieces with one foot in common (a shared edge or corner)
-// divide one share among them. q = R - d lets a piece enter and leave without a jump.
+// are both positive, and pass through 0 when the foot of one leaves it across the edge. So each foot has a score, which is
+// its depth times the part that it keeps before every other one, and the energy is
+//   U = sum_i share_i E_i(d_i),   share_i = s_i / (s_i + sum_j max(0, C_ij) s_j),
+//   s_i = (R - d_i) product_j h_ji^2 / (h_ij^2 + h_ji^2),   C_ij = n_i . n_j.
+// Of feet that push in nearly one direction the shares add up to 1, with one foot in common (a shared edge or corner) or
+// with one each, and go from 0 to 1 smoothly; walls that meet at a right angle or face each other have full shares. The
+// depth lets a foot enter and leave smoothly. The force of each foot is -dU/dd_i along n_i with C_ij held: for two feet of
+// perpendiculars C_ij is the cosine of the fold and h_ij = d_i - d_j C_ij, so that is the slope of U as long as the angles
+// of folds stay as they are.
 #pragma once
 
+#include "core/contact/contact_stiffness.h"
 #include "core/types.h"
 
 #include <array>
@@ -33,29 +38,14 @@ struct Touch
   Vector3 face;                 //!< normal of the piece, of either sign, length 1
   double distance;              //!< between the two [m]
   double reach;                 //!< contact distance [m]
-  double share = 1;             //!< of the spring's force and energy [-]
+  SpringState spring;           //!< as if nothing else were near
+  double share;                 //!< of the spring's energy [-]
+  double force;                 //!< on the particle along the normal [N]
 };
 
-//! Set the shares.
-inline void share_out(std::span<Touch> touches)
-{
-  if (touches.size() < 2)
-    return;
-  for (Touch& i : touches) {
-    const double least = 1e-8 * i.reach; // height that counts as none
-    const double depth_i = i.reach - i.distance;
-    double sum = depth_i;
-    for (const Touch& j : touches) {
-      const double facing = i.normal.dot(j.normal);
-      if (&i == &j || facing <= 0)
-        continue;
-      const Vector3 between = j.foot - i.foot;
-      const double above = std::max(0.0, i.normal.dot(between)),
-                   below = std::max(0.0, -j.normal.dot(between));
-      sum += facing * (above + least) / (below + least) * (j.reach - j.distance);
-    }
-    i.share = sum > 0 ? depth_i / sum : 0;
-  }
-}
+constexpr std::size_t most_touches = 32; //!< of one particle
+
+//! Set share and force from the rest; at most most_touches.
+void share_out(std::span<Touch> touches);
 
 } // namespace birdstrike

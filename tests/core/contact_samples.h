@@ -93,10 +93,22 @@ struct Duet
 
   Vector3 force(std::size_t i) const { return {fx[i], fy[i], fz[i]}; }
 
+  //! With velocities carried to the end of the step by the forces at its start, as in the loop.
   void evaluate(double duration)
   {
-    node_force.assign(target.position.size(), Vector3::Zero());
-    contact.evaluate(p, p.vx, p.vy, p.vz, target.view(), duration, fx, fy, fz, node_force, loads);
+    std::vector<double> vx = p.vx, vy = p.vy, vz = p.vz;
+    Target now = target;
+    if (!fx.empty())
+      for (std::size_t i = 0; i < p.size(); ++i) {
+        vx[i] += 0.5 * duration * fx[i] / p.mass[i];
+        vy[i] += 0.5 * duration * fy[i] / p.mass[i];
+        vz[i] += 0.5 * duration * fz[i] / p.mass[i];
+      }
+    node_force.resize(target.position.size(), Vector3::Zero());
+    for (std::size_t n = 0; n < target.position.size(); ++n)
+      now.velocity[n] += 0.5 * duration * node_force[n] / target.mass[n];
+    std::fill(node_force.begin(), node_force.end(), Vector3(Vector3::Zero()));
+    contact.evaluate(p, vx, vy, vz, now.view(), duration, fx, fy, fz, node_force, loads);
   }
   void kick(double dt)
   {

@@ -197,6 +197,7 @@ TEST_CASE("the force does not jump where the nearest point goes from one element
   for (int i = 0; i <= steps; ++i) {
     const double y = -0.03 + 0.06 * i / steps, z = 0.4 * y + 0.003;
     const Vector3 f = force_at(bowl, {-4 * y * y - 3 * z * z + 5 * y * z - 0.0024, y, z});
+    if (last > 0 && (f-before).norm()/f.norm()>0.01) printf("%d y %g z %g: %g %g %g  was %g %g %g\n", i,y,z,f[0],f[1],f[2],before[0],before[1],before[2]);
     if (last > 0)
       jump = std::max(jump, (f - before).norm() / f.norm());
     last = f.norm();
@@ -204,6 +205,33 @@ TEST_CASE("the force does not jump where the nearest point goes from one element
   }
   CHECK(last > 0);
   CHECK(jump < 0.01);
+}
+
+TEST_CASE("the force is the slope of the stored energy", "[contact][conservation]")
+{
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (const double angle : {0.0, 0.1, 0.6, 1.2, 2.0}) {
+    const Target target(fold(2, 0.02, angle), thickness);
+    double worst = 0;
+    for (int i = 0; i < 2000; ++i) {
+      const double s = 0.008 * number(random);
+      const Vector3 p(-std::abs(s) * std::sin(angle / 2) + 0.004 * number(random), s * std::cos(angle / 2),
+                      0.006 * number(random));
+      const double step = 1e-8;
+      Vector3 slope;
+      for (int k = 0; k < 3; ++k) {
+        const Vector3 aside = step * Vector3::Unit(k);
+        const Duet low(drops({p - aside}, spacing), target), high(drops({p + aside}, spacing), target);
+        slope[k] = (low.contact.energy().stored - high.contact.energy().stored) / (2 * step);
+      }
+      const Vector3 force = force_at(target, p);
+      if (force.norm() > 100 && force.norm() < 1e5)
+        worst = std::max(worst, (slope - force).norm() / force.norm());
+    }
+    INFO("fold of " << angle << ", force off by " << worst);
+    CHECK(worst < 1e-3);
+  }
 }
 
 TEST_CASE("momentum and angular momentum are exchanged to rounding", "[contact][conservation]")
@@ -255,13 +283,12 @@ TEST_CASE("a bounce keeps the energy, with an error that falls with the square o
   Target plate(square(1, 0.05), thickness);
   Duet duet(drops({{-0.004, 0.006, -0.003}}, spacing, {80, 5, 3}), plate);
   bounce(endless, 1e-8, &duet);
-  CHECK(duet.p.vx[0] == Approx(-80).epsilon(1e-6)); // as light from a mirror
+  CHECK(duet.p.vx[0] == Approx(-80).epsilon(1e-5)); // as light from a mirror
   CHECK(duet.p.vy[0] == Approx(5));
   CHECK(duet.contact.energy().stored == 0);
 }
 
-TEST_CASE("a particle that runs through a fold and back keeps its energy but for the angle squared",
-          "[contact]")
+TEST_CASE("a particle that runs through a fold and back keeps its energy", "[contact]")
 {
   const double speed = 60;
   for (const double angle : {0.05, 0.2, 0.6, std::numbers::pi / 2}) {
@@ -278,7 +305,7 @@ TEST_CASE("a particle that runs through a fold and back keeps its energy but for
     }
     INFO("fold of " << angle << ", energy off by " << worst);
     UNSCOPED_INFO("fold of " << angle << ", energy off by " << worst);
-    CHECK(worst < 1e-4 + 0.3 * angle * angle);
+    CHECK(worst < 1e-4);
   }
 }
 
@@ -291,9 +318,13 @@ TEST_CASE("a layer pressed onto a plate gives its whole load to the elements", "
   Duet duet(drops(places, spacing), Target(square(4, 0.04), thickness));
   const double each = 500; // [N], and damping so that it comes to rest
   for (int i = 0; i < 4000; ++i) {
-    for (std::size_t n = 0; n < places.size(); ++n)
-      duet.p.vx[n] = 0.9 * duet.p.vx[n] + 5e-8 * each / duet.p.mass[n];
+    const auto press = [&](double keep) {
+      for (std::size_t n = 0; n < places.size(); ++n)
+        duet.p.vx[n] = keep * (duet.p.vx[n] + 2.5e-8 * each / duet.p.mass[n]);
+    };
+    press(1);
     duet.advance(5e-8);
+    press(0.9);
   }
   double force = 0;
   for (std::size_t e = 0; e < 16; ++e) {
@@ -315,17 +346,18 @@ TEST_CASE("friction slows a sliding particle by mu N and books the heat", "[cont
   const double d = 0.0029;
   Duet duet(drops({{-d, 0, 0}}, spacing, {0, 10, 0}), Target(square(8, 0.08), thickness), settings);
   const double normal = k_rigid * reach * (reach / d - 1);
+  duet.evaluate(1e-12);
   CHECK(duet.fx[0] == Approx(-normal).epsilon(1e-9));
   CHECK(duet.fy[0] == Approx(-0.3 * normal).epsilon(1e-5));
   const double before = duet.energy();
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 50; ++i) {
     duet.p.vx[0] = 0; // guided along the plate
     duet.fx[0] = 0;
     duet.advance(1e-8);
     duet.p.x[0] = -d;
   }
   const double slower = 10 - duet.p.vy[0];
-  CHECK(slower == Approx(0.3 * normal / duet.p.mass[0] * 200e-8).epsilon(1e-3));
+  CHECK(slower == Approx(0.3 * normal / duet.p.mass[0] * 50e-8).epsilon(1e-3));
   CHECK(duet.contact.energy().friction ==
         Approx(0.5 * duet.p.mass[0] * (100 - duet.p.vy[0] * duet.p.vy[0])).epsilon(1e-3));
   CHECK(before > 0);
@@ -346,7 +378,7 @@ TEST_CASE("below the stable step a pressed layer stays quiet, far above it does 
       for (int i = 0; i < 6; ++i)
         for (int j = 0; j < 6; ++j)
           for (const double side : {-1.0, 1.0})
-            places.push_back({side * 0.00285, (i - 2.5) * spacing, (j - 2.5) * spacing});
+            places.push_back({side * 0.002999, (i - 2.5) * spacing, (j - 2.5) * spacing});
       Duet duet(drops(places, spacing), Target(square(4, 0.04), thickness, node_mass, 7e10));
       const double force = duet.fx[0]; // held by an equal and opposite one
       const double dt = share * duet.contact.stable_step();
