@@ -9,6 +9,7 @@
 #include "vtkio/plot.h"
 
 #include <fmt/format.h>
+#include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
@@ -60,6 +61,49 @@ std::array<double, 2> pressure_range(const std::vector<Frame>& frames)
     return {0, 1e6};
   const double digit = std::pow(10.0, std::floor(std::log10(high)) - 1);
   return {0, std::ceil(high / digit) * digit};
+}
+
+//! Largest value of an array of the target in all frames; vectors by their length.
+double largest_on_target(const std::vector<Frame>& frames, const char* name)
+{
+  double largest = 0;
+  for (const Frame& frame : frames) {
+    if (!frame.target)
+      continue;
+    vtkDataArray* array = frame.target->GetPointData()->GetArray(name);
+    if (!array)
+      array = frame.target->GetCellData()->GetArray(name);
+    for (vtkIdType k = 0; array && k < array->GetNumberOfTuples(); ++k) {
+      double square = 0;
+      for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+        square += array->GetComponent(k, c) * array->GetComponent(k, c);
+      largest = std::max(largest, std::sqrt(square));
+    }
+  }
+  return largest;
+}
+
+//! The target by deflection and by plastic strain, from above and behind, where it has any.
+std::vector<fs::path> write_target_pictures(const std::vector<Frame>& frames, const Bounds& bounds,
+                                            const fs::path& folder, const std::string& title)
+{
+  std::vector<fs::path> files;
+  for (const auto& [field, name] : {std::pair("displacement", "target_deflection.png"),
+                                    std::pair("plastic_strain", "target_plastic_strain.png")})
+  {
+    const double largest = largest_on_target(frames, field);
+    if (!(largest > 0))
+      continue;
+    MontageOptions montage;
+    montage.snapshot.view = View::isometric;
+    montage.snapshot.cut = true; // the bird would hide what it does
+    montage.snapshot.title = fitting_title(title);
+    montage.snapshot.target_field = field;
+    montage.snapshot.target_range = {0, largest};
+    files.push_back(folder / name);
+    write_montage(frames, bounds, montage, files.back());
+  }
+  return files;
 }
 
 std::string to_text(const Colour& colour)
@@ -124,6 +168,8 @@ std::vector<fs::path> write_pictures(const fs::path& pvd, const fs::path& folder
     overview.snapshot.title = fitting_title(title);
     files.push_back(folder / "overview.png");
     write_montage(frames, bounds, overview, files.back());
+    for (const fs::path& file : write_target_pictures(frames, bounds, folder, title))
+      files.push_back(file);
   }
   return files;
 }
@@ -180,6 +226,24 @@ std::vector<fs::path> write_plots(const History& history, const History& frames,
     force.series.push_back({.name = "", .x = time, .y = column(history, c, 1e-3), .colour = ""});
     files.push_back(folder / "contact_force.png");
     write_plot(force, files.back());
+  }
+  if (const std::size_t c = history.find("max_deflection"); c < history.columns.size()) {
+    Plot deflection{.title = fitting_title(title),
+                    .x_label = "time [ms]",
+                    .y_label = "deflection of the target [mm]",
+                    .series = {},
+                    .x_range = {},
+                    .y_range = {}};
+    deflection.series.push_back({.name = "largest", .x = time, .y = column(history, c, 1e3), .colour = ""});
+    constexpr std::string_view point = "deflection_";
+    for (std::size_t k = 0; k < history.columns.size(); ++k)
+      if (history.columns[k].name.starts_with(point))
+        deflection.series.push_back({.name = history.columns[k].name.substr(point.size()),
+                                     .x = time,
+                                     .y = column(history, k, 1e3),
+                                     .colour = ""});
+    files.push_back(folder / "deflection.png");
+    write_plot(deflection, files.back());
   }
   return files;
 }

@@ -159,13 +159,15 @@ void run_and_record(const Case& parsed, const RunOptions& options, Simulation& r
   facts.density_factor = density_factor;
   facts.series_bytes = recorder.series().bytes();
   evaluate_gauges(parsed, run, flight, facts);
+  const History frames = to_history(*histories_of_series(recorder.series().pvd()));
+  if (const std::size_t c = frames.find("permanent_set"); run.mesh_target() && c < frames.columns.size())
+    facts.permanent_set = frames.at(0, c);
   if (options.figures) {
     log.info("drawing figures");
     const auto figures_start = Clock::now();
     const fs::path folder = options.output / "figures";
     write_pictures(recorder.series().pvd(), folder, parsed.title);
-    write_plots(run.history(), to_history(*histories_of_series(recorder.series().pvd())), folder,
-                parsed.title);
+    write_plots(run.history(), frames, folder, parsed.title);
     if (!parsed.transducers.empty()) {
       const EquationOfState& law = hardest_law(run.particles().parts, flight.normal_speed());
       write_transducer_plot(
@@ -208,6 +210,11 @@ void run_case(const Case& parsed, const RunOptions& options, Log& log)
     warnings.push_back(warning);
   Simulation run(std::move(bird.particles), std::move(target.target), settings, transducers_of(parsed),
                  std::move(target.deflections));
+
+  if (run.initial_gap())
+    log.info(fmt::format("smallest gap {:.3g} mm, between particle {} and element {} of the target",
+                         1e3 * run.initial_gap()->gap, run.initial_gap()->particle,
+                         run.initial_gap()->element));
 
   // Nothing is touched on the disk before the input is known to be right.
   prepare_output_folder(options.output);

@@ -49,14 +49,43 @@ double largest(const History& history, const std::string& name)
   return value;
 }
 
-//! Particles behind the plate's face within its outline: contact has lost them.
+//! Particles that contact has lost: behind a plate's face within its outline, or through an unbroken mesh.
 std::size_t leaked_particles(const Simulation& run)
 {
+  if (run.contact())
+    return static_cast<std::size_t>(run.contact()->leaked());
   std::size_t count = 0;
   const Particles& p = run.particles();
   for (std::size_t i = 0; run.plate() && i < p.size(); ++i)
     count += p.x[i] > 0 && run.plate()->element_at(p.y[i], p.z[i]) >= 0;
   return count;
+}
+
+//! Largest length of a displacement of the target, and when; zero without the column.
+Peak largest_deflection(const History& history)
+{
+  Peak peak;
+  if (const std::size_t column = history.find("max_deflection"); column < history.columns.size())
+    for (std::size_t row = 0; row < history.rows(); ++row)
+      if (history.at(row, column) > peak.value)
+        peak = {"", history.at(row, column), history.at(row, 0)};
+  return peak;
+}
+
+//! The value farthest from zero, with its sign, and when.
+Peak largest_magnitude(const History& history, std::size_t column)
+{
+  Peak peak;
+  for (std::size_t row = 0; row < history.rows(); ++row)
+    if (std::abs(history.at(row, column)) > std::abs(peak.value))
+      peak = {"", history.at(row, column), history.at(row, 0)};
+  return peak;
+}
+
+//! Hourglass energy over internal energy, elements that are gone left out.
+double hourglass_share(const ShellEnergy& energy)
+{
+  return energy.internal > 0 ? energy.hourglass / energy.internal : 0;
 }
 
 double updates_per_second(const Simulation& run)
@@ -126,11 +155,33 @@ std::string summary_json(const Simulation& run, const RunFacts& facts)
   for (const Peak& peak : peaks(run.history(), "max_mean_pressure_"))
     json["peak_mean_pressure"][peak.name] = {{"value", peak.value}, {"time", peak.time}};
   json["peak_contact_force"] = largest(run.history(), "contact_force_x");
-  json["target"] = {{"max_deflection", 0.0},
-                    {"max_deflection_time", 0.0},
-                    {"permanent_set", 0.0},
-                    {"eroded_elements", 0},
+  const Peak deflection = largest_deflection(run.history());
+  const Shells* shells = run.mesh_target() ? run.mesh_target()->shells() : nullptr;
+  json["target"] = {{"max_deflection", deflection.value},
+                    {"max_deflection_time", deflection.time},
+                    {"permanent_set", facts.permanent_set},
+                    {"eroded_elements", shells ? shells->eroded() : 0},
                     {"leaked_particles", leaked_particles(run)}};
+  if (run.initial_gap())
+    json["target"]["initial_gap"] = run.initial_gap()->gap;
+  if (shells) {
+    const ShellEnergy& e = ledger.target;
+    json["target"]["mass"] = shells->total_mass();
+    json["target"]["energy"] = {{"kinetic", e.kinetic},     {"internal", e.internal}, {"plastic", e.plastic},
+                                {"hourglass", e.hourglass}, {"eroded", e.eroded},     {"damped", e.damped},
+                                {"external", e.external}};
+    json["target"]["hourglass_over_internal"] = hourglass_share(e);
+    json["target"]["support_impulse"] = {ledger.support_impulse[0], ledger.support_impulse[1],
+                                         ledger.support_impulse[2]};
+    for (std::size_t c = 0; c < run.history().columns.size(); ++c)
+      if (const std::string& name = run.history().columns[c].name; name.starts_with("deflection_")) {
+        const Peak peak = largest_magnitude(run.history(), c);
+        json["target"]["deflections"][name.substr(11)] = {{"value", peak.value}, {"time", peak.time}};
+      }
+  }
+  if (run.contact())
+    json["energy"]["contact"] = {
+        {"stored", ledger.contact}, {"released", ledger.contact_released}, {"friction", ledger.friction}};
   // The bird's own three are those of the part with the highest Hugoniot pressure.
   const std::vector<Theory> theory = theory_of(run);
   const auto values = [](const Theory& t) {
@@ -160,11 +211,9 @@ std::string summary_json(const Simulation& run, const RunFacts& facts)
   if (facts.planar)
     json["verification"] = to_json(*facts.planar);
   const Shares& shares = run.shares();
-  json["shares"] = {{"particles", shares.particles},
-                    {"contact", shares.contact},
-                    {"gauges", shares.gauges},
-                    {"writing", shares.writing},
-                    {"figures", facts.figure_seconds}};
+  json["shares"] = {{"particles", shares.particles}, {"shells", shares.shells},
+                    {"contact", shares.contact},     {"gauges", shares.gauges},
+                    {"writing", shares.writing},     {"figures", facts.figure_seconds}};
   json["series_bytes"] = facts.series_bytes;
   return json.dump(2) + "\n";
 }
@@ -184,6 +233,17 @@ std::string summary_table(const Simulation& run, const RunFacts& facts)
   row("impulse", fmt::format("{:.2f} N s, {:.4f} of the bird's momentum", ledger.impulse.norm(),
                              momentum > 0 ? ledger.impulse.norm() / momentum : 0));
   row("largest force", fmt::format("{:.1f} kN", 1e-3 * largest(run.history(), "contact_force_x")));
+  if (const Shells* shells = run.mesh_target() ? run.mesh_target()->shells() : nullptr) {
+    const Peak deflection = largest_deflection(run.history());
+    row("target", fmt::format("largest deflection {:.2f} mm at {:.3f} ms, permanent set {:.2f} mm",
+                              1e3 * deflection.value, 1e3 * deflection.time, 1e3 * facts.permanent_set));
+    row("", fmt::format(
+                "{} of {} elements eroded, plastic energy {:.4g} J, hourglass {:.2f} % of internal energy",
+                shells->eroded(), shells->mesh().elements.size(), ledger.target.plastic,
+                100 * hourglass_share(ledger.target)));
+  }
+  if (run.contact() && leaked_particles(run) > 0)
+    row("leaked particles", fmt::format("{}: they have passed the unbroken target", leaked_particles(run)));
   row("energy balance error", fmt::format("{:.4f} %", 100 * ledger.balance_error()));
   const std::vector<Theory> theory = theory_of(run);
   for (const Peak& peak : peaks(run.history())) {

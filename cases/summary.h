@@ -17,7 +17,8 @@ class Simulation;
 struct RunFacts
 {
   double density_factor = 1;
-  double contact_time = 0; //!< by geometry [s]
+  double contact_time = 0;  //!< by geometry [s]
+  double permanent_set = 0; //!< of the target, by the frames of the last fifth of the run [m]
   std::uintmax_t series_bytes = 0;
   double figure_seconds = 0;
   double wall_seconds = 0; //!< of the whole command so far

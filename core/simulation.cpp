@@ -76,7 +76,8 @@ struct Simulation::State
   Particles particles;
   std::optional<RigidPlate> plate;
   std::optional<MeshTarget> mesh;
-  std::optional<ParticleContact> contact; // with mesh
+  std::optional<InitialGap> initial_gap;  // with mesh and bird
+  std::optional<ParticleContact> contact; // the same
   std::vector<double> fx, fy, fz;         // of contact on the particles [N]
   std::vector<Vector3> node_force;        // of contact on the nodes of mesh [N]
   std::vector<DeflectionGauge> deflections;
@@ -116,6 +117,7 @@ struct Simulation::State
       ContactSettings of_contact = target.contact;
       if (of_contact.impact_speed <= 0)
         of_contact.impact_speed = speed_of(particles);
+      initial_gap = require_initial_gap(particles, mesh->surface());
       contact.emplace(particles, mesh->surface(), of_contact);
     }
   }
@@ -374,6 +376,7 @@ const History& Simulation::history() const { return state_->history; }
 const History& Simulation::transducer_history() const { return state_->transducers.history(); }
 const Ledger& Simulation::ledger() const { return state_->ledger; }
 const Shares& Simulation::shares() const { return state_->shares; }
+const std::optional<InitialGap>& Simulation::initial_gap() const { return state_->initial_gap; }
 double Simulation::time() const { return state_->time; }
 const TimeStep& Simulation::time_step() const { return state_->step; }
 long Simulation::steps() const { return state_->steps; }

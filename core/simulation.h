@@ -2,6 +2,7 @@
 // The one loop over time: bird particles against a target.
 #pragma once
 
+#include "core/contact/initial_gap.h"
 #include "core/gauges/history.h"
 #include "core/gauges/ledger.h"
 #include "core/gauges/target_history.h"
@@ -53,6 +54,8 @@ public:
   const RigidPlate* plate() const; //!< null where the target is none
   const MeshTarget* mesh_target() const;  //!< null where the target is none
   const ParticleContact* contact() const; //!< of a mesh target with a bird, else null
+  const std::optional<InitialGap>&
+  initial_gap() const;            //!< between bird and mesh target before the first step
   const History& history() const; //!< one row per step, and one at t = 0; columns in gauges/history_columns
   const History& transducer_history() const; //!< the same rows; see TransducerGauges
   const Ledger& ledger() const;              //!< mass, momentum, energy; now and at the start
