@@ -88,7 +88,8 @@ StrainRates quad_strain_rates(const ElementGeometry& g, const CornerMotion& m, b
   r.shear[1] = dot(g.bx, m.vz) + 0.25 * (m.wy[0] + m.wy[1] + m.wy[2] + m.wy[3]);
   const double spin = 0.5 * (vy_x - vx_y);
   r.drill = 0.25 * (m.wz[0] + m.wz[1] + m.wz[2] + m.wz[3]) - spin;
-  r.spin = spin - (m.vy[1] - m.vy[0]) / (g.x[1] - g.x[0]); // the axes turn with their side
+  // The axes turn with the projection of their side, from which a tilt of the normal takes the side's rise.
+  r.spin = spin - (m.vy[1] - m.vy[0] + (g.z[1] - g.z[0]) * dot(g.by, m.vz)) / (g.x[1] - g.x[0]);
   if (warping) {
     const WarpTerms w = warp_terms(g);
     r.curvature[0] += dot(w.cx, m.vx) + spin * w.spin_xx;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/shells/c0_triangle.h"
 
+#include <cmath>
+
 namespace birdstrike {
 
 namespace {
@@ -112,6 +114,20 @@ CornerForces triangle_forces(const ElementGeometry& g, const Resultants& r, doub
               a * (s.yz_y[k] * r.shear[0] + s.zx_y[k] * r.shear[1]) + s.closure_y[k] * closure_force;
   }
   return c;
+}
+
+double triangle_shear_bound(const ElementGeometry& g, double inertia, double closing)
+{
+  const Shear s = shear_of(g);
+  const auto product = [&](const PerCorner& az, const PerCorner& ax, const PerCorner& ay, const PerCorner& bz,
+                           const PerCorner& bx, const PerCorner& by) {
+    return dot(az, bz) + (dot(ax, bx) + dot(ay, by)) / inertia;
+  };
+  const double yy = product(s.yz_z, s.yz_x, s.yz_y, s.yz_z, s.yz_x, s.yz_y),
+               xx = product(s.zx_z, s.zx_x, s.zx_y, s.zx_z, s.zx_x, s.zx_y),
+               xy = product(s.yz_z, s.yz_x, s.yz_y, s.zx_z, s.zx_x, s.zx_y);
+  return 0.5 * (xx + yy + std::sqrt((xx - yy) * (xx - yy) + 4 * xy * xy)) +
+         closing * product(s.closure_z, s.closure_x, s.closure_y, s.closure_z, s.closure_x, s.closure_y);
 }
 
 } // namespace birdstrike

@@ -25,4 +25,11 @@ TriangleRates triangle_strain_rates(const ElementGeometry& geometry, const Corne
 CornerForces triangle_forces(const ElementGeometry& geometry, const Resultants& resultants,
                              double closure_force);
 
+//! Largest eigenvalue of the sum over corners of B^T B for transverse shear, each motion over its inertia, plus that of the
+//! closure times \p closing: over 3 G / density a bound of the frequency squared.
+//! \param inertia  of rotation over mass [m2]
+//! \param closing  modulus of the closure over that of shear and area [1/m2]
+//! \return [1/m2]
+double triangle_shear_bound(const ElementGeometry& geometry, double inertia, double closing);
+
 } // namespace birdstrike

@@ -38,31 +38,35 @@ PerCorner hourglass_pattern(const ElementGeometry& g)
   return pattern;
 }
 
-double advance(HourglassForces& f, const HourglassModuli& moduli, const PerCorner& pattern,
+double advance(HourglassForces& f, const HourglassModuli& moduli, const ElementGeometry& g,
                const CornerMotion& m, double turn, double dt)
 {
   turn_by(turn, f.membrane_x, f.membrane_y);
   turn_by(turn, f.bend_x, f.bend_y);
+  const PerCorner pattern = hourglass_pattern(g);
+  // Spins about axes 1 and 2 move corners at heights of +-warp, which is the pattern times 4 warp.
+  const double tilt_x = 4 * g.warp * dot(g.bx, m.vz), tilt_y = 4 * g.warp * dot(g.by, m.vz);
   double work = 0;
-  const auto step = [&](double& force, double modulus, const PerCorner& rate) {
-    const double motion = dt * dot(pattern, rate), before = force;
+  const auto step = [&](double& force, double modulus, double rate) {
+    const double motion = dt * rate, before = force;
     force += modulus * motion;
     work += 0.5 * (before + force) * motion;
   };
-  step(f.membrane_x, moduli.membrane, m.vx);
-  step(f.membrane_y, moduli.membrane, m.vy);
-  step(f.lift, moduli.lift, m.vz);
-  step(f.bend_x, moduli.bend, m.wx);
-  step(f.bend_y, moduli.bend, m.wy);
+  step(f.membrane_x, moduli.membrane, dot(pattern, m.vx) + tilt_x);
+  step(f.membrane_y, moduli.membrane, dot(pattern, m.vy) + tilt_y);
+  step(f.lift, moduli.lift, dot(pattern, m.vz));
+  step(f.bend_x, moduli.bend, dot(pattern, m.wx));
+  step(f.bend_y, moduli.bend, dot(pattern, m.wy));
   return work;
 }
 
-void add_forces(const HourglassForces& f, const PerCorner& pattern, CornerForces& c)
+void add_forces(const HourglassForces& f, const ElementGeometry& g, CornerForces& c)
 {
+  const PerCorner pattern = hourglass_pattern(g);
   for (int k = 0; k < 4; ++k) {
     c.fx[k] += pattern[k] * f.membrane_x;
     c.fy[k] += pattern[k] * f.membrane_y;
-    c.fz[k] += pattern[k] * f.lift;
+    c.fz[k] += pattern[k] * f.lift + 4 * g.warp * (g.bx[k] * f.membrane_x + g.by[k] * f.membrane_y);
     c.mx[k] += pattern[k] * f.bend_x;
     c.my[k] += pattern[k] * f.bend_y;
   }

@@ -28,12 +28,14 @@ HourglassModuli hourglass_moduli(const ElementGeometry& geometry, double young, 
 //! The pattern +1, -1, +1, -1 less its linear part.
 PerCorner hourglass_pattern(const ElementGeometry& geometry);
 
-//! Carry the forces over a step.
+//! Carry the forces over a step. What a rigid turn of a warped element adds to its membrane pattern is no hourglass motion
+//! and is left out.
 //! \param turn  of the material against the element's axes over the step [rad]
 //! \return work over the step [J]
-double advance(HourglassForces& forces, const HourglassModuli& moduli, const PerCorner& pattern,
+double advance(HourglassForces& forces, const HourglassModuli& moduli, const ElementGeometry& geometry,
                const CornerMotion& motion, double turn, double dt);
 
-void add_forces(const HourglassForces& forces, const PerCorner& pattern, CornerForces& corners);
+//! Add the forces whose power is that of the motions in advance().
+void add_forces(const HourglassForces& forces, const ElementGeometry& geometry, CornerForces& corners);
 
 } // namespace birdstrike

@@ -55,6 +55,7 @@ long Shells::relax(double time, double tolerance, long most)
     }
   }
   rotating_frame_ = false;
+  std::fill(external_.begin(), external_.end(), Vector3::Zero()); // the centrifugal load is gone
   if (balance > tolerance) {
     char text[200];
     std::snprintf(text, sizeof text,

@@ -9,7 +9,7 @@ struct ShellEnergy
 {
   double kinetic = 0;
   double internal = 0;  //!< work of the stresses in elements that stand, plastic work included
-  double plastic = 0;   //!< share of it that plastic flow has taken
+  double plastic = 0;   //!< work of plastic flow, in eroded elements too
   double hourglass = 0; //!< work against hourglass motion
   double damped = 0;    //!< taken by damping
   double eroded = 0;    //!< internal and hourglass energy of eroded elements

@@ -27,41 +27,72 @@ double work(const ShellPoint& before, const ShellPoint& after, const ShellStrain
           shear_correction * ((before.yz + after.yz) * e.yz + (before.zx + after.zx) * e.zx));
 }
 
-//! Turn a stress in its plane (5.40, as a rotation so that its invariants stay).
-void turn_by(double angle, ShellPoint& p)
+//! A turn about axis 3, of stresses (5.40, as a rotation so that their invariants stay) and of strains.
+struct Turn
 {
-  const double q = 0.5 * angle, c = (1 - q * q) / (1 + q * q), s = 2 * q / (1 + q * q);
-  const double xx = p.xx, yy = p.yy, xy = p.xy, yz = p.yz, zx = p.zx;
-  p.xx = c * c * xx + s * s * yy - 2 * s * c * xy;
-  p.yy = s * s * xx + c * c * yy + 2 * s * c * xy;
-  p.xy = s * c * (xx - yy) + (c * c - s * s) * xy;
-  p.zx = c * zx - s * yz;
-  p.yz = s * zx + c * yz;
-}
+  double cos, sin;
 
-//! Bound of the highest frequency of one element [1/s], squared: strain modes of membrane, and of bending with shear.
+  explicit Turn(double angle)
+  {
+    const double q = 0.5 * angle, f = 1 / (1 + q * q);
+    cos = (1 - q * q) * f;
+    sin = 2 * q * f;
+  }
+  void stress(ShellPoint& p) const
+  {
+    const double xx = p.xx, yz = p.yz, change = sin * (sin * (p.yy - xx) - 2 * cos * p.xy);
+    p.xy += sin * (cos * (xx - p.yy) - 2 * sin * p.xy);
+    p.xx += change;
+    p.yy -= change;
+    p.yz = sin * p.zx + cos * yz;
+    p.zx = cos * p.zx - sin * yz;
+  }
+  //! \param e  xx, yy, gamma xy
+  void plane_strain(double (&e)[3]) const
+  {
+    const double xx = e[0], change = sin * (sin * (e[1] - xx) - cos * e[2]);
+    e[2] += 2 * sin * (cos * (xx - e[1]) - sin * e[2]);
+    e[0] += change;
+    e[1] -= change;
+  }
+  //! \param e  gamma yz, gamma zx
+  void shear(double (&e)[2]) const
+  {
+    const double yz = e[0];
+    e[0] = sin * e[1] + cos * yz;
+    e[1] = cos * e[1] - sin * yz;
+  }
+};
+
+//! Bound of the highest frequency of one element [1/s], squared: of its membrane with drilling, and of bending with shear.
+//! Rows sums of modulus times B M^-1 B^T for the first and for bending, its exact largest root for shear.
 //! \param inertia  of rotation over mass [m2]
 double highest_frequency2(const ElementGeometry& g, const ShellMaterial& m, double thickness, double inertia,
-                          int corners)
+                          int corners, const ShellSettings& settings)
 {
   double xx = 0, yy = 0, xy = 0;
-  for (int k = 0; k < corners; ++k) {
+  for (std::size_t k = 0; k < 4; ++k) {
     xx += g.bx[k] * g.bx[k];
     yy += g.by[k] * g.by[k];
     xy += g.bx[k] * g.by[k];
   }
   xy = std::abs(xy);
-  const double nu = m.poisson;
-  // Row sums of modulus times B B^T over E / (1 - nu^2).
-  const double rows = std::max(
-      {xx + nu * yy + (1 + nu) * xy, yy + nu * xx + (1 + nu) * xy, 0.5 * (1 - nu) * (2 * xy + xx + yy)});
-  const double membrane = corners * m.plane_modulus() / m.density * rows;
-  const double bending = membrane * thickness * thickness / 12 / inertia;
-  const double side_shear =
-      corners == 3 ? 1.5 : 1; // the sides of a triangle see rotations that the mean does not
-  const double shear = side_shear * shear_correction * m.shear_modulus() / m.density *
-                       (corners * (std::max(xx, yy) + xy) + 1 / inertia);
-  return std::max(membrane, bending + shear);
+  const double nu = m.poisson, plane = m.plane_modulus(), shear = m.shear_modulus();
+  const double tie = settings.drilling * shear, skew = 0.5 * std::abs(xx - yy);
+  const double bending_x = plane * (xx + nu * yy + (1 + nu) * xy),
+               bending_y = plane * (yy + nu * xx + (1 + nu) * xy), twist = shear * (2 * xy + xx + yy);
+  const double tied = tie > 0 ? 0.5 * (1 - nu) * plane * xy : 0;
+  const double membrane = std::max({bending_x + tied, bending_y + tied, twist + (tie > 0 ? shear * skew : 0),
+                                    tie * (xy + skew + 0.25 * (xx + yy) + 1 / (corners * inertia))});
+  const double bending = std::max({bending_x, bending_y, twist}) * thickness * thickness / 12 / inertia;
+  double sheared;
+  if (corners == 3) {
+    const double closing = settings.hourglass * thickness * thickness / (12 * g.area * g.area);
+    sheared = triangle_shear_bound(g, inertia, closing);
+  } else {
+    sheared = 0.5 * (xx + yy + std::sqrt(4 * skew * skew + 4 * xy * xy)) + 0.25 / inertia;
+  }
+  return corners / m.density * std::max(membrane, bending + shear_correction * shear * sheared);
 }
 
 //! Integral of the shape functions over an element, a share of its area each (5.17).
@@ -91,6 +122,47 @@ PerCorner corner_shares(const ElementGeometry& g, int corners)
   for (double& value : share)
     value /= sum;
   return share;
+}
+
+//! Resultants of the stress in proportion to its rate (stiff_damping).
+struct Viscous
+{
+  Resultants resultants{};
+
+  //! \return work on the strain [J/m3]
+  double add(double beta, const ShellPoint& before, const ShellPoint& now, const ShellStrain& e, double dz,
+             double z)
+  {
+    const double xx = beta * (now.xx - before.xx), yy = beta * (now.yy - before.yy),
+                 xy = beta * (now.xy - before.xy), yz = shear_correction * beta * (now.yz - before.yz),
+                 zx = shear_correction * beta * (now.zx - before.zx);
+    resultants.force[0] += dz * xx;
+    resultants.force[1] += dz * yy;
+    resultants.force[2] += dz * xy;
+    resultants.moment[0] += dz * z * xx;
+    resultants.moment[1] += dz * z * yy;
+    resultants.moment[2] += dz * z * xy;
+    resultants.shear[0] += dz * yz;
+    resultants.shear[1] += dz * zx;
+    return xx * e.xx + yy * e.yy + xy * e.xy + yz * e.yz + zx * e.zx;
+  }
+};
+
+//! Motion of the corners in the axes of the element; velocities against that of the first.
+CornerMotion motion_in(const ElementGeometry& g, const std::array<Vector3, 4>& v,
+                       const std::array<Vector3, 4>& w, int n)
+{
+  CornerMotion m{};
+  for (std::size_t k = 0; k < static_cast<std::size_t>(n); ++k) {
+    const Vector3 local_v = g.axes.transpose() * (v[k] - v[0]), local_w = g.axes.transpose() * w[k];
+    m.vx[k] = local_v[0];
+    m.vy[k] = local_v[1];
+    m.vz[k] = local_v[2];
+    m.wx[k] = local_w[0];
+    m.wy[k] = local_w[1];
+    m.wz[k] = local_w[2];
+  }
+  return m;
 }
 
 std::string place_text(const Vector3& p)
@@ -159,9 +231,11 @@ void Shells::check() const
     require(s.thickness > 0 && std::isfinite(s.thickness), part + "the thickness must be positive");
     require(s.points >= 2 && s.points <= 10,
             part + "2 to 10 points through the thickness are possible, not " + std::to_string(s.points));
-    require(
-        s.material.density > 0 && s.material.young > 0 && s.material.poisson >= 0 && s.material.poisson < 0.5,
-        part + "the material needs a positive density and Young's modulus, and Poisson's ratio in 0 ... 0.5");
+    try {
+      s.material.check();
+    } catch (const InputError& error) {
+      throw InputError(part + error.what());
+    }
   }
   const auto nodes = static_cast<std::int32_t>(mesh_.points.size());
   for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
@@ -240,7 +314,8 @@ void Shells::join_corners()
 void Shells::gather_support(const std::vector<Support>& supports)
 {
   std::vector<std::int32_t> row(position.size(), -1);
-  for (const Support& support : supports)
+  for (const Support& support : supports) {
+    require(!support.nodes.empty(), "a support of the target holds no node");
     for (const std::int32_t node : support.nodes) {
       require(node >= 0 && node < static_cast<std::int32_t>(position.size()),
               "a support names node " + std::to_string(node) + " of the target, which is not there");
@@ -255,6 +330,7 @@ void Shells::gather_support(const std::vector<Support>& supports)
         held.turns[k] = held.turns[k] || support.turns[k];
       }
     }
+  }
 }
 
 Vector3 Shells::steady_velocity(const Vector3& place) const
@@ -349,23 +425,14 @@ void Shells::evaluate_element(std::size_t e, double dt)
   }
   ShellPoint* const p = points.data() + first_point_[e];
   const auto point_count = static_cast<std::size_t>(section.points);
-  const std::vector<double>&height = heights_[part], &weight = weights_[part];
-  double t = thickness[e], damping_force[8] = {};
+  const double *const height = heights_[part].data(), *const weight = weights_[part].data();
+  double t = thickness[e];
+  Viscous viscous;
 
   if (dt > 0) {
     // Strains from the motion in the middle of the step, where a rigid turn strains nothing (5.24, 5.25).
     const ElementGeometry g = triangle ? triangle_geometry(middle) : quad_geometry(middle);
-    CornerMotion m{};
-    for (int k = 0; k < n; ++k) {
-      const auto c = static_cast<std::size_t>(k);
-      const Vector3 local_v = g.axes.transpose() * (v[c] - v[0]), local_w = g.axes.transpose() * w[c];
-      m.vx[c] = local_v[0];
-      m.vy[c] = local_v[1];
-      m.vz[c] = local_v[2];
-      m.wx[c] = local_w[0];
-      m.wy[c] = local_w[1];
-      m.wz[c] = local_w[2];
-    }
+    const CornerMotion m = motion_in(g, v, w, n);
     StrainRates r;
     if (triangle) {
       const TriangleRates rates = triangle_strain_rates(g, m);
@@ -379,14 +446,20 @@ void Shells::evaluate_element(std::size_t e, double dt)
       r = quad_strain_rates(g, m, settings_.warping);
       state.hourglass_work +=
           advance(state.hourglass,
-                  hourglass_moduli(g, material.young, material.shear_modulus(), t, settings_.hourglass),
-                  hourglass_pattern(g), m, r.spin * dt, dt);
+                  hourglass_moduli(g, material.young, material.shear_modulus(), t, settings_.hourglass), g, m,
+                  r.spin * dt, dt);
     }
     const double drill_before = state.drill;
     state.drill += settings_.drilling * material.shear_modulus() * t * r.drill * dt;
     state.hourglass_work += 0.5 * (drill_before + state.drill) * r.drill * dt * g.area;
-    double thinning = 0, energy = 0, damped = 0;
-    const double viscous = settings_.stiff_damping / dt;
+
+    // Stresses in axes that have turned with the material to the end of the step, strains from its middle.
+    const Turn turn(r.spin * dt), half(0.5 * r.spin * dt);
+    half.plane_strain(r.membrane);
+    half.plane_strain(r.curvature);
+    half.shear(r.shear);
+    const double beta = settings_.stiff_damping / dt;
+    double thinning = 0, energy = 0, plastic = 0, damped = 0;
     for (std::size_t k = 0; k < point_count; ++k) {
       if (has_failed(p[k]))
         continue;
@@ -394,26 +467,18 @@ void Shells::evaluate_element(std::size_t e, double dt)
       const ShellStrain strain{dt * (r.membrane[0] + z * r.curvature[0]),
                                dt * (r.membrane[1] + z * r.curvature[1]),
                                dt * (r.membrane[2] + z * r.curvature[2]), dt * r.shear[0], dt * r.shear[1]};
-      turn_by(r.spin * dt, p[k]);
-      const ShellPoint before = p[k];
+      turn.stress(p[k]);
+      ShellPoint before = p[k];
       thinning += weight[k] * update(material, strain, dt, p[k]);
+      plastic += weight[k] * (p[k].plastic_work - before.plastic_work);
+      if (has_failed(p[k]))
+        p[k].xx = p[k].yy = p[k].xy = p[k].yz = p[k].zx = 0;
       energy += weight[k] * work(before, p[k], strain);
-      if (viscous > 0) {
-        const double xx = viscous * (p[k].xx - before.xx), yy = viscous * (p[k].yy - before.yy),
-                     xy = viscous * (p[k].xy - before.xy), yz = viscous * (p[k].yz - before.yz),
-                     zx = viscous * (p[k].zx - before.zx);
-        const double dz = weight[k] * t, values[3] = {xx, yy, xy};
-        for (int c = 0; c < 3; ++c) {
-          damping_force[c] += dz * values[c];
-          damping_force[3 + c] += dz * z * values[c];
-        }
-        damping_force[6] += shear_correction * dz * yz;
-        damping_force[7] += shear_correction * dz * zx;
-        damped += weight[k] * (xx * strain.xx + yy * strain.yy + xy * strain.xy +
-                               shear_correction * (yz * strain.yz + zx * strain.zx));
-      }
+      if (beta > 0)
+        damped += weight[k] * viscous.add(beta, before, p[k], strain, weight[k] * t, z);
     }
     state.internal += energy * g.area * t;
+    state.plastic += plastic * g.area * t;
     state.damped += damped * g.area * t;
     t *= std::exp(thinning);
     thickness[e] = t;
@@ -421,14 +486,10 @@ void Shells::evaluate_element(std::size_t e, double dt)
 
   // Forces where the nodes are now.
   const ElementGeometry g = triangle ? triangle_geometry(end) : quad_geometry(end);
-  Resultants s{};
+  Resultants s = viscous.resultants;
   std::size_t failed = 0;
   for (std::size_t k = 0; k < point_count; ++k) {
-    if (has_failed(p[k])) {
-      ++failed;
-      p[k].xx = p[k].yy = p[k].xy = p[k].yz = p[k].zx = 0;
-      continue;
-    }
+    failed += has_failed(p[k]);
     const double dz = weight[k] * t, z = height[k] * t;
     s.force[0] += dz * p[k].xx;
     s.force[1] += dz * p[k].yy;
@@ -436,22 +497,16 @@ void Shells::evaluate_element(std::size_t e, double dt)
     s.moment[0] += dz * z * p[k].xx;
     s.moment[1] += dz * z * p[k].yy;
     s.moment[2] += dz * z * p[k].xy;
-    s.shear[0] += dz * p[k].yz;
-    s.shear[1] += dz * p[k].zx;
+    s.shear[0] += shear_correction * dz * p[k].yz;
+    s.shear[1] += shear_correction * dz * p[k].zx;
   }
-  for (int c = 0; c < 3; ++c) {
-    s.force[c] += damping_force[c];
-    s.moment[c] += damping_force[3 + c];
-  }
-  s.shear[0] = shear_correction * s.shear[0] + damping_force[6];
-  s.shear[1] = shear_correction * s.shear[1] + damping_force[7];
   s.drill = state.drill;
   CornerForces forces;
   if (triangle) {
     forces = triangle_forces(g, s, state.closure);
   } else {
     forces = quad_forces(g, s, settings_.warping);
-    add_forces(state.hourglass, hourglass_pattern(g), forces);
+    add_forces(state.hourglass, g, forces);
   }
   for (int k = 0; k < n; ++k) {
     const auto c = static_cast<std::size_t>(k);
@@ -461,7 +516,7 @@ void Shells::evaluate_element(std::size_t e, double dt)
 
   const double inertia = (section.thickness * section.thickness + state.area0) / 12;
   const double frequency = std::sqrt(state.mass_ratio * g.area * t / (state.area0 * section.thickness) *
-                                     highest_frequency2(g, material, t, inertia, n));
+                                     highest_frequency2(g, material, t, inertia, n, settings_));
   const double share = 0.5 * settings_.stiff_damping * frequency; // of critical damping at that frequency
   element_step_[e] = settings_.courant * 2 / frequency * (std::sqrt(1 + share * share) - share);
 
@@ -478,10 +533,11 @@ void Shells::evaluate_element(std::size_t e, double dt)
 
 void Shells::evaluate(double dt, double time)
 {
-  for_each_row(elements_.size(), [&](std::size_t e) {
-    if (!gone[e])
-      evaluate_element(e, dt);
-  });
+  // Plastic elements cost more than others and lie close together: small portions, whoever is free takes the next.
+#pragma omp parallel for schedule(dynamic, 64)
+  for (std::ptrdiff_t e = 0; e < static_cast<std::ptrdiff_t>(elements_.size()); ++e)
+    if (!gone[static_cast<std::size_t>(e)])
+      evaluate_element(static_cast<std::size_t>(e), dt);
   stable_step_ = 1e300;
   eroded_ = 0;
   for (std::size_t e = 0; e < elements_.size(); ++e) {
@@ -491,11 +547,17 @@ void Shells::evaluate(double dt, double time)
       report_broken(e, time);
     stable_step_ = std::min(stable_step_, element_step_[e]);
   }
-  for (std::size_t n = 0; n < position.size(); ++n)
-    external_work_ += 0.5 * dt * external_[n].dot(velocity[n]);
-  apply_loads(time);
-  for (std::size_t n = 0; n < position.size(); ++n)
-    external_work_ += 0.5 * dt * external_[n].dot(velocity[n]);
+  const bool loaded =
+      !loads_.surfaces.empty() || !loads_.nodes.empty() || (rotating_frame_ && settings_.spin);
+  if (loaded) { // by the mean of the loads at both ends of the step
+    const auto half_work = [&] {
+      return 0.5 * dt *
+             ordered_sum(position.size(), [&](std::size_t n) { return external_[n].dot(velocity[n]); });
+    };
+    external_work_ += half_work();
+    apply_loads(time);
+    external_work_ += half_work();
+  }
   for_each_row(position.size(), [&](std::size_t n) {
     Vector3 force = external_[n], moment = Vector3::Zero();
     for (std::int32_t k = corner_begin_[n]; k < corner_begin_[n + 1]; ++k) {
@@ -595,6 +657,7 @@ ShellEnergy Shells::energy() const
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const Element& state = elements_[e];
     sum.damped += state.damped;
+    sum.plastic += state.plastic;
     if (gone[e]) {
       sum.eroded += state.internal + state.hourglass_work;
       continue;

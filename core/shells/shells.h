@@ -64,10 +64,11 @@ public:
   double stable_step() const { return stable_step_; } //!< by 3.27 at the last evaluate [s]
 
   // Nodes.
-  std::vector<Vector3> position;                            //!< [m]
-  std::vector<Vector3> velocity;                            //!< [m/s]
-  std::vector<Vector3> spin;                                //!< [rad/s]
-  const std::vector<double>& mass() const { return mass_; } //!< 5.17 [kg]
+  std::vector<Vector3> position;                                  //!< [m]
+  std::vector<Vector3> velocity;                                  //!< [m/s]
+  std::vector<Vector3> spin;                                      //!< [rad/s]
+  const std::vector<double>& mass() const { return mass_; }       //!< 5.17 [kg]
+  const std::vector<double>& inertia() const { return inertia_; } //!< of rotation, about any axis [kg m2]
   const std::vector<Vector3>& force() const
   {
     return force_;
@@ -111,6 +112,7 @@ private:
     double closure = 0;        //!< of a triangle [N]
     double area0 = 0;          //!< at the start [m2]
     double internal = 0;       //!< [J]
+    double plastic = 0;        //!< share of it [J]
     double hourglass_work = 0; //!< [J]
     double damped = 0;         //!< by stiff_damping [J]
     double mass_ratio = 1;     //!< of a mean corner to the lightest [-]

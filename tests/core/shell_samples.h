@@ -21,7 +21,8 @@ inline ShellMaterial elastic(double young, double poisson, double density)
 
 //! n1 x n2 quads (or twice as many triangles) over the unit square, each corner put where \p place says; node sets "u0",
 //! "u1", "v0", "v1" of the four sides.
-inline ShellMesh patch(int n1, int n2, const std::function<Vector3(double, double)>& place, bool triangles = false)
+inline ShellMesh patch(int n1, int n2, const std::function<Vector3(double, double)>& place,
+                       bool triangles = false)
 {
   ShellMesh mesh;
   mesh.parts = {{"plate", 0}};
@@ -63,7 +64,8 @@ inline std::vector<std::int32_t> nodes_of(const ShellMesh& mesh, std::initialize
 }
 
 //! Integrate to \p end [s]; \p probe is called after every step with the time.
-inline void run(Shells& shells, double end, const std::function<void(double)>& probe = [](double) {}, double share = 1)
+inline void run(
+    Shells& shells, double end, const std::function<void(double)>& probe = [](double) {}, double share = 1)
 {
   double time = 0;
   while (time < end) {
