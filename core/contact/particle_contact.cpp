@@ -147,7 +147,7 @@ void ParticleContact::evaluate(const Particles& particles, const std::vector<dou
   for (auto* force : {&fx, &fy, &fz})
     force->resize(count);
   follow_nodes(surface);
-#pragma omp parallel for schedule(dynamic, 1)
+#pragma omp parallel for schedule(dynamic, 1) if (found_.size() > 1)
   for (std::ptrdiff_t r = 0; r < static_cast<std::ptrdiff_t>(found_.size()); ++r) {
     Found& found = found_[static_cast<std::size_t>(r)];
     found.contacts.clear();
