@@ -185,14 +185,11 @@ void ParticleContact::look_at(std::size_t row, const Moment& now, Found& found)
       continue;
     ++found.tests;
     const double reach = contact_distance(spacing_, surface.thickness[e]);
-    const double range = std::max(reach + near * spacing_, moved);
-    const ElementPieces pieces(surface.mesh.elements[e], surface.position);
-    const auto& x = pieces.corner;
-    const Vector3 low = x[0].cwiseMin(x[1]).cwiseMin(x[2].cwiseMin(x[3])),
-                  high = x[0].cwiseMax(x[1]).cwiseMax(x[2].cwiseMax(x[3]));
-    if ((low - p).cwiseMax(p - high).cwiseMax(0.0).squaredNorm() > range * range)
+    const double range = std::max(reach + std::max(gap, 0.0), moved); // beyond it changes nothing
+    if (!bins_.may_reach(element, p, range))
       continue;
 
+    const ElementPieces pieces(surface.mesh.elements[e], surface.position);
     std::array<TrianglePoint, 4> points;
     for (int k = 0; k < pieces.count; ++k) {
       const auto [a, b, c] = pieces.piece(k);
@@ -256,7 +253,7 @@ void ParticleContact::look_at(std::size_t row, const Moment& now, Found& found)
   last_energy_[row] = 0;
   last_element_[row] = -1;
   if (count > 0)
-    push(row, now, {touches.data(), count}, found);
+    push(row, now, leave_standing({touches.data(), count}), found);
   if (element_before >= 0 && surface.gone[static_cast<std::size_t>(element_before)])
     found.released += energy_before - last_energy_[row];
 

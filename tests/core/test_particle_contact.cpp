@@ -205,7 +205,7 @@ TEST_CASE("the force does not jump where the nearest point goes from one element
       CHECK(largest_jump(bowl, steps, [&](double t) {
               const double y = -0.03 + 0.06 * t, z = 0.4 * y + aside;
               return Vector3(deep(y, z) - 0.0024, y, z);
-            }) < 0.005 + 60.0 / steps); // next to a node, where many folds meet, 0.004 stays
+            }) < 0.01 + 60.0 / steps); // folds turn by 0.1; where many meet, at a node, a tenth of that stays
 }
 
 TEST_CASE("the force is the slope of the stored energy", "[contact][conservation]")
@@ -231,7 +231,7 @@ TEST_CASE("the force is the slope of the stored energy", "[contact][conservation
         worst = std::max(worst, (slope - force).norm() / force.norm());
     }
     INFO("fold of " << angle << ", force off by " << worst);
-    CHECK(worst < 0.01); // next to a border between elements, where C_ij changes
+    CHECK(worst < 1e-3);
   }
 }
 
@@ -305,7 +305,7 @@ TEST_CASE("a particle that runs through a fold and back keeps its energy", "[con
       worst = std::max(worst, std::abs(duet.kinetic() / before - 1));
     }
     INFO("fold of " << angle << ", energy off by " << worst);
-    CHECK(worst < 2e-3);
+    CHECK(worst < 1e-4);
   }
 }
 
