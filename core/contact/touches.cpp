@@ -33,9 +33,9 @@ std::span<Touch> leave_standing(std::span<Touch> touches)
   std::size_t kept = 0;
   for (std::size_t j = 0; j < touches.size(); ++j) {
     const Touch& touch = touches[j];
-    const bool stands =
-        std::all_of(touches.begin(), touches.begin() + static_cast<std::ptrdiff_t>(kept),
-                    [&](const Touch& i) { return i.normal.dot(touch.foot - i.foot) > 1e-7 * i.reach; });
+    const bool stands = std::all_of(
+        touches.begin(), touches.begin() + static_cast<std::ptrdiff_t>(kept),
+        [&](const Touch& i) { return i.normal.dot(touch.foot - i.foot) > least_height * i.reach; });
     if (stands) {
       if (kept != j)
         touches[kept] = touch;
