@@ -92,6 +92,7 @@ ParticleContact::ParticleContact(const Particles& p, const ContactSurface& surfa
       found_((p.size() + run_length - 1) / run_length),
       stable_step_(infinity)
 {
+  require(!surface.mesh.elements.empty(), "contact: the target has no element");
   require(settings.friction >= 0 && std::isfinite(settings.friction),
           "contact: the coefficient of friction is " + std::to_string(settings.friction) +
               "; give 0 or more");
@@ -124,6 +125,7 @@ long ParticleContact::leaked() const
 void ParticleContact::follow_nodes(const ContactSurface& surface)
 {
   bins_.update(surface);
+  thickest_ = *std::max_element(surface.thickness.begin(), surface.thickness.end());
   node_moved_ = node_speed_ = 0;
   for (std::size_t n = 0; n < surface.position.size(); ++n) {
     if (!bins_.is_used(n)) // what has been torn off may fly as it likes
@@ -147,7 +149,7 @@ void ParticleContact::evaluate(const Particles& particles, const std::vector<dou
   for (auto* force : {&fx, &fy, &fz})
     force->resize(count);
   follow_nodes(surface);
-#pragma omp parallel for schedule(dynamic, 1)
+#pragma omp parallel for schedule(dynamic, 1) if (found_.size() > 1)
   for (std::ptrdiff_t r = 0; r < static_cast<std::ptrdiff_t>(found_.size()); ++r) {
     Found& found = found_[static_cast<std::size_t>(r)];
     found.contacts.clear();
@@ -163,6 +165,29 @@ void ParticleContact::evaluate(const Particles& particles, const std::vector<dou
   begun_ = true;
 }
 
+//! Of the elements at hand the one whose box is nearest, if it is nearer than \p range; -1 otherwise.
+std::int32_t ParticleContact::nearest_box(const Vector3& p, double range, const ContactSurface& surface) const
+{
+  std::int32_t nearest = -1;
+  for (const std::int32_t element : bins_.at(p)) {
+    const auto e = static_cast<std::size_t>(element);
+    if (surface.gone[e] || !bins_.may_reach(element, p, range))
+      continue;
+    const ShellElement& nodes = surface.mesh.elements[e];
+    const auto at = [&](std::size_t k) -> const Vector3& {
+      return surface.position[static_cast<std::size_t>(nodes[k])];
+    };
+    const Vector3 low = at(0).cwiseMin(at(1)).cwiseMin(at(2).cwiseMin(at(3)));
+    const Vector3 high = at(0).cwiseMax(at(1)).cwiseMax(at(2).cwiseMax(at(3)));
+    const double distance = (low - p).cwiseMax(p - high).cwiseMax(0.0).norm();
+    if (distance < range) {
+      range = distance;
+      nearest = element;
+    }
+  }
+  return nearest;
+}
+
 //! Find what a particle touches.
 void ParticleContact::look_at(std::size_t row, const Moment& now, Found& found)
 {
@@ -176,22 +201,21 @@ void ParticleContact::look_at(std::size_t row, const Moment& now, Found& found)
   const double moved = begun_ ? (p - p_before).norm() + node_moved_ : 0;
   std::array<Touch, most_touches> touches;
   std::size_t count = 0;
-  Touch nearest{};
+  Touch nearest{}, first{};
   double gap = near * spacing_; // all that are nearer are listed
   std::int32_t crossed = -1;
-  for (const std::int32_t element : bins_.at(p)) {
+  const auto look_at_element = [&](std::int32_t element) {
     const auto e = static_cast<std::size_t>(element);
-    if (surface.gone[e])
-      continue;
-    ++found.tests;
     const double reach = contact_distance(spacing_, surface.thickness[e]);
-    const double range = std::max(reach + near * spacing_, moved);
+    if (!bins_.may_reach(element, p, std::max(reach + std::max(gap, 0.0), moved)))
+      return;
     const ElementPieces pieces(surface.mesh.elements[e], surface.position);
-    const auto& x = pieces.corner;
-    const Vector3 low = x[0].cwiseMin(x[1]).cwiseMin(x[2].cwiseMin(x[3])),
-                  high = x[0].cwiseMax(x[1]).cwiseMax(x[2].cwiseMax(x[3]));
-    if ((low - p).cwiseMax(p - high).cwiseMax(0.0).squaredNorm() > range * range)
-      continue;
+    // Most lie in the plane of the first or behind it: no need to know where their feet are.
+    if (first.reach > 0 && first.distance > moved && (first.distance < first.reach || reach <= first.reach) &&
+        std::all_of(pieces.corner.begin(), pieces.corner.end(), [&](const Vector3& x) {
+          return first.normal.dot(x - first.foot) <= least_height * first.reach;
+        }))
+      return;
 
     std::array<TrianglePoint, 4> points;
     for (int k = 0; k < pieces.count; ++k) {
@@ -230,6 +254,18 @@ void ParticleContact::look_at(std::size_t row, const Moment& now, Found& found)
       if (distance < reach)
         add(touches, count, touch);
     }
+  };
+  const std::int32_t nearest_element =
+      nearest_box(p, std::max((0.5 + near) * spacing_ + 0.5 * thickest_, moved), surface);
+  if (nearest_element >= 0) {
+    look_at_element(nearest_element);
+    first = nearest;
+    for (const std::int32_t element : bins_.at(p))
+      if (!surface.gone[static_cast<std::size_t>(element)]) {
+        ++found.tests;
+        if (element != nearest_element)
+          look_at_element(element);
+      }
   }
 
   if (crossed >= 0)
@@ -256,7 +292,7 @@ void ParticleContact::look_at(std::size_t row, const Moment& now, Found& found)
   last_energy_[row] = 0;
   last_element_[row] = -1;
   if (count > 0)
-    push(row, now, {touches.data(), count}, found);
+    push(row, now, leave_standing({touches.data(), count}), found);
   if (element_before >= 0 && surface.gone[static_cast<std::size_t>(element_before)])
     found.released += energy_before - last_energy_[row];
 

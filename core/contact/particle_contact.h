@@ -41,7 +41,7 @@ struct ContactEnergy
 class ParticleContact
 {
 public:
-  //! \throw InputError if a setting is out of range or a law cannot stop matter of that speed
+  //! \throw InputError if a setting is out of range, the surface has no element, or a law cannot stop matter of that speed
   ParticleContact(const Particles& particles, const ContactSurface& surface, const ContactSettings& settings);
 
   //! The rows of the particles have been sorted: new row k was row order[k].
@@ -104,9 +104,9 @@ private:
       passed_; // element whose midsurface it has gone through and is pushed back by, or -1
   std::vector<double> last_energy_; // stored [J]
 
-  std::vector<Vector3> last_node_;     // positions of the nodes [m]
-  std::vector<double> node_stiffness_; // [N/m]
-  double node_moved_ = 0, node_speed_ = 0;
+  std::vector<Vector3> last_node_;                        // positions of the nodes [m]
+  std::vector<double> node_stiffness_;                    // [N/m]
+  double node_moved_ = 0, node_speed_ = 0, thickest_ = 0; // [m], [m/s], [m]
   std::vector<Found> found_;
   bool begun_ = false;
 
@@ -117,6 +117,7 @@ private:
   long touching_ = 0, leaked_ = 0, tests_ = 0;
 
   void follow_nodes(const ContactSurface& surface);
+  std::int32_t nearest_box(const Vector3& p, double range, const ContactSurface& surface) const;
   void look_at(std::size_t row, const Moment& now, Found& found);
   void push(std::size_t row, const Moment& now, std::span<Touch> touches, Found& found);
   void look_ahead(std::size_t row, const Moment& now, const Touch& nearest, Found& found);

@@ -45,6 +45,7 @@ void ElementBins::build(const ContactSurface& surface)
   const std::size_t elements = surface.mesh.elements.size();
   const auto wider = [&](std::size_t e) { return near_ + skin_ + 0.5 * surface.thickness[e]; };
   used_.assign(surface.position.size(), 0);
+  balls_.resize(elements);
   Vector3 low = Vector3::Constant(1e300), high = -low;
   double size = 0;
   std::size_t whole = 0;
@@ -54,6 +55,12 @@ void ElementBins::build(const ContactSurface& surface)
     const Box box = box_of(surface, e, wider(e));
     low = low.cwiseMin(box.low);
     high = high.cwiseMax(box.high);
+    balls_[e].middle = 0.5 * (box.low + box.high);
+    double radius2 = 0;
+    for (const std::int32_t node : surface.mesh.elements[e])
+      radius2 = std::max(radius2,
+                         (surface.position[static_cast<std::size_t>(node)] - balls_[e].middle).squaredNorm());
+    balls_[e].radius = std::sqrt(radius2) + skin_;
     size += (box.high - box.low).maxCoeff();
     ++whole;
     for (const std::int32_t node : surface.mesh.elements[e])

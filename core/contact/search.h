@@ -34,6 +34,14 @@ public:
     return {elements_.data() + begin_[cell], elements_.data() + begin_[cell + 1]};
   }
 
+  //! Could the element be nearer to \p p than \p range [m]? By the ball around it, without a look at its nodes.
+  bool may_reach(std::int32_t element, const Vector3& p, double range) const
+  {
+    const Ball& ball = balls_[static_cast<std::size_t>(element)];
+    const double far = ball.radius + range;
+    return (p - ball.middle).squaredNorm() <= far * far;
+  }
+
   //! No listed element is nearer to \p p than this and the reach; 0 within the grid's box [m].
   double distance_to_box(const Vector3& p) const
   {
@@ -47,12 +55,18 @@ public:
   long builds() const { return builds_; }
 
 private:
+  struct Ball
+  {
+    Vector3 middle;
+    double radius; // with the skin [m]
+  };
   double near_, skin_;
   double per_width_ = 0; // cubes over a length [1/m]
   Vector3 low_ = Vector3::Zero(), high_ = Vector3::Zero();
   std::array<std::size_t, 3> count_{};
   std::vector<std::size_t> begin_;
   std::vector<std::int32_t> elements_;
+  std::vector<Ball> balls_;        // one an element
   std::vector<std::uint8_t> used_; // nodes of elements that are not gone
   std::vector<Vector3> built_at_;  // positions of the nodes then [m]
   long builds_ = 0;

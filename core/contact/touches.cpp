@@ -26,6 +26,25 @@ Order order(const Touch& i, const Touch& j)
 
 } // namespace
 
+std::span<Touch> leave_standing(std::span<Touch> touches)
+{
+  std::sort(touches.begin(), touches.end(),
+            [](const Touch& a, const Touch& b) { return a.distance < b.distance; });
+  std::size_t kept = 0;
+  for (std::size_t j = 0; j < touches.size(); ++j) {
+    const Touch& touch = touches[j];
+    const bool stands = std::all_of(
+        touches.begin(), touches.begin() + static_cast<std::ptrdiff_t>(kept),
+        [&](const Touch& i) { return i.normal.dot(touch.foot - i.foot) > least_height * i.reach; });
+    if (stands) {
+      if (kept != j)
+        touches[kept] = touch;
+      ++kept;
+    }
+  }
+  return touches.first(kept);
+}
+
 void share_out(std::span<Touch> touches)
 {
   const std::size_t n = touches.size();

@@ -44,6 +44,11 @@ struct Touch
 };
 
 constexpr std::size_t most_touches = 32; //!< of one particle
+constexpr double least_height = 1e-7;    //!< of the contact distance, that counts as standing before
+
+//! Put first those that do not lie behind a nearer one, h_ij = 0, whose shares are 0.
+//! \return them; of feet at one place one is left
+std::span<Touch> leave_standing(std::span<Touch> touches);
 
 //! Set share and force from the rest; at most most_touches.
 void share_out(std::span<Touch> touches);

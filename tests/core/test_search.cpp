@@ -37,8 +37,10 @@ TEST_CASE("every element within reach is listed, once, while nodes move within t
       REQUIRE(once.count(20) == 0);
       for (std::size_t e = 0; e < target.mesh.elements.size(); ++e)
         if (!target.gone[e] &&
-            distance_to_element(p, {target.mesh.elements[e], target.position}) < 0.004 + 0.0015)
+            distance_to_element(p, {target.mesh.elements[e], target.position}) < 0.004 + 0.0015) {
           REQUIRE(once.count(static_cast<std::int32_t>(e)) == 1);
+          REQUIRE(bins.may_reach(static_cast<std::int32_t>(e), p, 0.004 + 0.0015));
+        }
     }
   }
   CHECK(bins.builds() == 1);
