@@ -29,6 +29,19 @@ struct ContactSettings
   double friction = 0;        //!< Coulomb's coefficient mu [-]
   double friction_speed = 1;  //!< v0, slip at which friction has reached 0.7 of its value [m/s]
   double stiffness_scale = 1; //!< on the derived stiffness [-]
+  bool mirror =
+      false; //!< the surface also mirrors the flow (mirror_planes.h), and the springs are what stops those that come
+             //!< nearer than a quarter of a spacing all the same
+};
+
+//! A force between a particle and the surface that something else than the springs makes.
+struct SurfaceForce
+{
+  std::int32_t element;
+  std::array<double, 4> weight; //!< of its nodes [-]
+  Vector3 force;                //!< on the particle [N]
+  double pressing;              //!< part of it normal to the element, from the wall positive [N]
+  double stiffness;             //!< that the nodes feel [N/m]
 };
 
 struct ContactEnergy
@@ -54,10 +67,12 @@ public:
   //! \param fx,fy,fz    out: force on the particles, N entries each [N]
   //! \param node_force  force on the nodes is added, one entry a node [N]
   //! \param loads       out: sized to the elements at the first call
+  //! \param others      taken from nodes and elements like the springs' own
   void evaluate(const Particles& particles, const std::vector<double>& vx, const std::vector<double>& vy,
                 const std::vector<double>& vz, const ContactSurface& surface, double duration,
                 std::vector<double>& fx, std::vector<double>& fy, std::vector<double>& fz,
-                std::vector<Vector3>& node_force, ElementLoads& loads);
+                std::vector<Vector3>& node_force, ElementLoads& loads,
+                std::span<const SurfaceForce> others = {});
 
   //! Largest step at which the contact alone is stable, and at which nothing runs deep into the surface before it is felt
   //! [s]. The first is 2 / omega with omega^2 <= max(k / m) + max(sum N k / M) over particles and nodes (the contacts'
@@ -75,18 +90,10 @@ public:
   long builds() const { return bins_.builds(); }
 
 private:
-  struct Contact
-  {
-    std::int32_t element;
-    std::array<double, 4> weight; // of its nodes
-    Vector3 force;                // on the particle [N]
-    double pressing;              // part of it normal to the element [N]
-    double stiffness;             // that the nodes feel [N/m]
-  };
   //! What a run of consecutive particles finds; the runs are added in their order.
   struct Found
   {
-    std::vector<Contact> contacts;
+    std::vector<SurfaceForce> contacts;
     double stored, released, slip_power, per_mass, step;
     long touching, leaked, tests;
   };
@@ -121,7 +128,9 @@ private:
   void look_at(std::size_t row, const Moment& now, Found& found);
   void push(std::size_t row, const Moment& now, std::span<Touch> touches, Found& found);
   void look_ahead(std::size_t row, const Moment& now, const Touch& nearest, Found& found);
-  void add_up(const Moment& now, double duration, std::vector<Vector3>& node_force, ElementLoads& loads);
+  void add_up(const Moment& now, double duration, std::vector<Vector3>& node_force, ElementLoads& loads,
+              std::span<const SurfaceForce> others);
+  double reach(double thickness) const; // contact distance of the springs [m]
 };
 
 } // namespace birdstrike

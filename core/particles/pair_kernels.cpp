@@ -39,22 +39,43 @@ struct Side
 
 struct Sums
 {
-  Pack fx{}, fy{}, fz{}, gradient[9]{}, number{}, pressure{}, work{}, heating{}, mu{}, wall{};
+  Pack fx{}, fy{}, fz{}, gradient[9]{}, number{}, pressure{}, work{}, heating{}, mu{}, wall{}, wall_y{},
+      wall_z{};
+};
+
+//! What partner j is: itself, its image in the plate x = 0, or its image in a plane of the lane's own.
+enum class Seen
+{
+  direct,
+  in_plate,
+  in_wall
+};
+
+struct Vector
+{
+  Pack x, y, z;
 };
 
 //! R_ij of artificial_viscosity.h but for its share: the harmonic mean of d.G d on both sides, zero where they disagree in
-//! sign. A mirror turns the sign of the shears that cross it.
-template <bool mirrored>
+//! sign. The plate turns the sign of the shears that cross it; in general the image of G is that of d.
+//! \param turned  d mirrored in the wall
+template <Seen seen>
 [[gnu::always_inline]] inline Pack explained(const Side<Pack>& i, const PairInput& in, int j, Pack dx,
-                                             Pack dy, Pack dz)
+                                             Pack dy, Pack dz, [[maybe_unused]] const Vector& turned)
 {
   const Pack xx = dx * dx, yy = dy * dy, zz = dz * dz, xy = dx * dy, xz = dx * dz, yz = dy * dz;
   const Pack a = xx * i.strain_rate[0] + yy * i.strain_rate[1] + zz * i.strain_rate[2] +
                  xy * i.strain_rate[3] + xz * i.strain_rate[4] + yz * i.strain_rate[5];
-  constexpr double turn = mirrored ? -1 : 1;
-  const Pack b = xx * in.strain_rate[0][j] + yy * in.strain_rate[1][j] + zz * in.strain_rate[2][j] +
-                 xy * (turn * in.strain_rate[3][j]) + xz * (turn * in.strain_rate[4][j]) +
-                 yz * in.strain_rate[5][j];
+  Pack b;
+  if constexpr (seen == Seen::in_wall) {
+    const auto& [ex, ey, ez] = turned;
+    b = ex * ex * in.strain_rate[0][j] + ey * ey * in.strain_rate[1][j] + ez * ez * in.strain_rate[2][j] +
+        ex * ey * in.strain_rate[3][j] + ex * ez * in.strain_rate[4][j] + ey * ez * in.strain_rate[5][j];
+  } else {
+    constexpr double turn = seen == Seen::in_plate ? -1 : 1;
+    b = xx * in.strain_rate[0][j] + yy * in.strain_rate[1][j] + zz * in.strain_rate[2][j] +
+        xy * (turn * in.strain_rate[3][j]) + xz * (turn * in.strain_rate[4][j]) + yz * in.strain_rate[5][j];
+  }
   const Pack product = a * b, zero{};
   return product > 0.0 ? 2.0 * product / (a + b) : zero;
 }
@@ -62,10 +83,10 @@ template <bool mirrored>
 //! Add what partner j does to the lanes i. d is x_i - x_j, vx ... v_i - v_j; an image's own values stand at j. A lane
 //! whose support does not reach j, or that is j itself, gets exactly nothing.
 //! \param open  1 where the pair may act, 0 where something stands between
-template <bool mirrored, bool limited>
-[[gnu::always_inline]] inline void add_pair(Sums& sum, const Side<Pack>& i, const PairInput& in, int j,
-                                            Pack dx, Pack dy, Pack dz, Pack vx, Pack vy, Pack vz,
-                                            const PairSettings& s, [[maybe_unused]] Pack open)
+template <Seen seen, bool limited>
+[[gnu::always_inline]] inline void
+add_pair(Sums& sum, const Side<Pack>& i, const PairInput& in, int j, Pack dx, Pack dy, Pack dz, Pack vx,
+         Pack vy, Pack vz, const PairSettings& s, [[maybe_unused]] Pack open, const Vector& turned = {})
 {
   const Pack zero{};
   const Pack h = 0.5 * (i.h + in.h[j]);
@@ -84,7 +105,7 @@ template <bool mirrored, bool limited>
   const Pack inverse_h2 = inverse_h * inverse_h;
   Pack slope = (a * a - 4.0 * b * b) * inverse_h2 * inverse_h2 * inverse_r * (-0.75 / std::numbers::pi);
   Pack value = (0.25 * a * a * a - b * b * b) * inverse_h2 * inverse_h;
-  if constexpr (mirrored) {
+  if constexpr (seen != Seen::direct) {
     slope *= open;
     value *= open;
   }
@@ -94,7 +115,7 @@ template <bool mirrored, bool limited>
   const Pack sound_speed = 0.5 * (i.sound_speed + in.sound_speed[j]);
   Pack speed, viscosity; // U or |mu|, and Q of artificial_viscosity.h
   if constexpr (limited) {
-    const Pack smooth = explained<mirrored>(i, in, j, dx, dy, dz);
+    const Pack smooth = explained<seen>(i, in, j, dx, dy, dz, turned);
     const Pack share = 1.0 - 0.5 * (i.limiter + in.limiter[j]);
     speed = min(max(share * smooth - approach, zero), -approach) * inverse_r;
     viscosity =
@@ -117,8 +138,12 @@ template <bool mirrored, bool limited>
   sum.fx += push * dx;
   sum.fy += push * dy;
   sum.fz += push * dz;
-  if constexpr (mirrored)
+  if constexpr (seen != Seen::direct)
     sum.wall += push * dx;
+  if constexpr (seen == Seen::in_wall) {
+    sum.wall_y += push * dy;
+    sum.wall_z += push * dz;
+  }
   const Pack gx = k * dx, gy = k * dy, gz = k * dz;
   sum.gradient[0] -= vx * gx;
   sum.gradient[1] -= vx * gy;
@@ -156,8 +181,8 @@ Sums sum_direct(const Side<Pack>& i, const std::int32_t* partners, int count, co
       dy = nearest_image(dy, s.period.y);
       dz = nearest_image(dz, s.period.z);
     }
-    add_pair<false, limited>(sum, i, in, j, i.x - in.x[j], dy, dz, i.vx - in.vx[j], i.vy - in.vy[j],
-                             i.vz - in.vz[j], s, Pack{});
+    add_pair<Seen::direct, limited>(sum, i, in, j, i.x - in.x[j], dy, dz, i.vx - in.vx[j], i.vy - in.vy[j],
+                                    i.vz - in.vz[j], s, Pack{});
   }
   return sum;
 }
@@ -188,8 +213,39 @@ void add_images(Sums& sum, const Side<Pack>& i, const std::int32_t* partners, in
       open = max(cross_y, -cross_y) <= s.plate.half_y ? open : zero;
       open = max(cross_z, -cross_z) <= s.plate.half_z ? open : zero;
     }
-    add_pair<true, limited>(sum, i, in, j, dx, dy, dz, i.vx + in.vx[j], i.vy - in.vy[j], i.vz - in.vz[j], s,
-                            open);
+    add_pair<Seen::in_plate, limited>(sum, i, in, j, dx, dy, dz, i.vx + in.vx[j], i.vy - in.vy[j],
+                                      i.vz - in.vz[j], s, open);
+  }
+}
+
+//! The images of the partners in the lanes' own walls. A pair acts where both stand before walls that face one way.
+template <bool limited>
+void add_wall_images(Sums& sum, const Side<Pack>& i, int row, const std::int32_t* partners, int count,
+                     const PairInput& in, const PairSettings& s)
+{
+  constexpr double same_way = 0.5; // cosine between the normals: the other side of an edge has its own flow
+  const Pack zero{};
+  const Pack nx = load(in.wall_x + row), ny = load(in.wall_y + row), nz = load(in.wall_z + row),
+             at = load(in.wall_at + row), speed = load(in.wall_speed + row),
+             open_i = load(in.wall_open + row);
+  const Pack height_i = i.x * nx + i.y * ny + i.z * nz - at;
+  for (int n = 0; n < count; ++n) {
+    const int j = partners[n];
+    if (in.wall_open[j] <= 0)
+      continue;
+    const Pack height = in.x[j] * nx + in.y[j] * ny + in.z[j] * nz - at; // of j above the lane's wall
+    const Pack facing = in.wall_x[j] * nx + in.wall_y[j] * ny + in.wall_z[j] * nz;
+    Pack open = min(open_i, zero + in.wall_open[j]);
+    open = height > 0.0 ? open : zero;
+    open = height_i > 0.0 ? open : zero;
+    open = facing > same_way ? open : zero;
+    const Pack lift = 2.0 * height;
+    const Pack dx = i.x - in.x[j] + lift * nx, dy = i.y - in.y[j] + lift * ny, dz = i.z - in.z[j] + lift * nz;
+    const Pack away = 2.0 * (in.vx[j] * nx + in.vy[j] * ny + in.vz[j] * nz - speed);
+    const Pack across = 2.0 * (dx * nx + dy * ny + dz * nz);
+    add_pair<Seen::in_wall, limited>(sum, i, in, j, dx, dy, dz, i.vx - in.vx[j] + away * nx,
+                                     i.vy - in.vy[j] + away * ny, i.vz - in.vz[j] + away * nz, s, open,
+                                     {dx - across * nx, dy - across * ny, dz - across * nz});
   }
 }
 
@@ -213,6 +269,16 @@ void rates_of(const Cluster& cluster, int row, int count, const std::int32_t* al
       nearest = i.x[l] < 0 && i.x[l] > nearest ? i.x[l] : nearest;
     if (nearest > -s.plate.reach)
       add_images<periodic, limited>(sum, i, partners, cluster.partners, in, s);
+  }
+
+  if (in.wall_open) {
+    bool near = false;
+    for (int l = 0; l < count; ++l)
+      near = near || in.wall_open[row + l] > 0;
+    if (near)
+      add_wall_images<limited>(sum, i, row, partners, cluster.partners, in, s);
+    store(out.wall_y + row, sum.wall_y, count);
+    store(out.wall_z + row, sum.wall_z, count);
   }
 
   store(out.fx + row, sum.fx, count);

@@ -42,7 +42,11 @@ struct PairInput
   const double* inertia;                  //!< rho / x^2, what stands in Q_ij for the density [kg/m3]
   const double* rest_density;             //!< rho0 [kg/m3]
   const double* limiter;                  //!< f of artificial_viscosity.h [-]
-  const double* strain_rate[6]; //!< xx, yy, zz, and the sums xy + yx, xz + zx, yz + zy of grad v [1/s]
+  const double *wall_x, *wall_y,
+      *wall_z; //!< normal of the particle's own mirror (mirror_planes.h) [-]; null: none has one
+  const double *wall_at, *wall_speed; //!< its offset and speed along the normal [m], [m/s]
+  const double* wall_open;            //!< 0 for none, up to 1 [-]
+  const double* strain_rate[6];       //!< xx, yy, zz, and the sums xy + yx, xz + zx, yz + zy of grad v [1/s]
 };
 
 //! Sums over partners, N + 8 entries each.
@@ -56,7 +60,8 @@ struct PairOutput
   double* work;     //!< sum V_j a_ij (v_i - v_j) . grad_i W_ij, a_ij = 2 rho0_j / (rho0_i + rho0_j) [1/s]
   double* heating;  //!< rho0 times the viscous heating [W/m3]
   double* mu;       //!< largest |mu_ij| or U_ij [m/s]
-  double* wall;     //!< share of fx that came from mirror images [N/m3]
+  double *wall, *wall_y,
+      *wall_z; //!< shares of fx, fy, fz that came from mirror images; the last two of walls only [N/m3]
 };
 
 //! A rigid plate in x = 0, |y| <= half_y, |z| <= half_z, that mirrors what stands in front of it (x < 0).

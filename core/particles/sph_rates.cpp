@@ -106,8 +106,27 @@ void SphRates::prepare(Particles& p, const std::vector<double>& vx, const std::v
               [](double& a, double b) { a = std::max(a, b); });
 }
 
-void SphRates::finish(Particles& p, Rates& r)
+//! Into padded arrays, as the pair loops want them.
+void SphRates::copy_walls(const MirrorPlanes& walls)
 {
+  const std::size_t n = walls.open.size();
+  const auto copy = [n](const std::vector<double>& from, std::vector<double>& to) {
+    to.resize(n + padding, 0.0);
+    std::copy(from.begin(), from.end(), to.begin());
+  };
+  copy(walls.normal_x, wall_x_);
+  copy(walls.normal_y, wall_y_);
+  copy(walls.normal_z, wall_z_);
+  copy(walls.offset, wall_at_);
+  copy(walls.speed, wall_speed_);
+  copy(walls.open, wall_open_);
+  wall_fy_.resize(n + padding, 0.0);
+  wall_fz_.resize(n + padding, 0.0);
+}
+
+void SphRates::finish(Particles& p, Rates& r, bool walls)
+{
+  r.image_force.resize(walls ? p.size() : 0);
   const ViscosityKind kind = settings_.viscosity.kind;
   const bool bulk = kind == ViscosityKind::bulk;
   const double cell = p.spacing * p.spacing * p.spacing;
@@ -122,6 +141,8 @@ void SphRates::finish(Particles& p, Rates& r)
     r.ay[i] = fy_[i] / rho0;
     r.az[i] = fz_[i] / rho0;
     r.wall_force[i] = wall_[i] * cell;
+    if (walls)
+      r.image_force[i] = cell * Vector3(wall_[i], wall_fy_[i], wall_fz_[i]);
     r.divergence[i] = -compression_rate / x;
     r.density[i] = rho0 * compression_rate;
     r.summed_density[i] = rho0 * number_[i];
@@ -139,9 +160,13 @@ void SphRates::finish(Particles& p, Rates& r)
 
 void SphRates::evaluate(Particles& p, const std::vector<double>& vx, const std::vector<double>& vy,
                         const std::vector<double>& vz, const std::vector<double>& density,
-                        const std::vector<double>& energy, const Neighbours& neighbours, Rates& rates)
+                        const std::vector<double>& energy, const Neighbours& neighbours, Rates& rates,
+                        const MirrorPlanes* walls)
 {
   prepare(p, vx, vy, vz, density, energy, rates);
+  if (walls)
+    copy_walls(*walls);
+  const auto of_walls = [walls](const std::vector<double>& array) { return walls ? array.data() : nullptr; };
 
   const PairInput in{x_.data(),
                      y_.data(),
@@ -157,10 +182,17 @@ void SphRates::evaluate(Particles& p, const std::vector<double>& vx, const std::
                      inertia_.data(),
                      rest_density_.data(),
                      limiter_.data(),
+                     of_walls(wall_x_),
+                     of_walls(wall_y_),
+                     of_walls(wall_z_),
+                     of_walls(wall_at_),
+                     of_walls(wall_speed_),
+                     of_walls(wall_open_),
                      {strain_rate_[0].data(), strain_rate_[1].data(), strain_rate_[2].data(),
                       strain_rate_[3].data(), strain_rate_[4].data(), strain_rate_[5].data()}};
-  PairOutput out{fx_.data(),           fy_.data(),   fz_.data(),      {},         number_.data(),
-                 pressure_sum_.data(), work_.data(), heating_.data(), mu_.data(), wall_.data()};
+  PairOutput out{fx_.data(),     fy_.data(),           fz_.data(),      {},
+                 number_.data(), pressure_sum_.data(), work_.data(),    heating_.data(),
+                 mu_.data(),     wall_.data(),         wall_fy_.data(), wall_fz_.data()};
   for (std::size_t c = 0; c < 9; ++c)
     out.gradient[c] = gradient_[c].data();
   const Cluster* clusters = neighbours.clusters().data();
@@ -171,7 +203,7 @@ void SphRates::evaluate(Particles& p, const std::vector<double>& vx, const std::
     kernels_.rates(clusters, first, std::min(count, first + clusters_at_once), partners, in, pair_settings_,
                    out);
 
-  finish(p, rates);
+  finish(p, rates, walls != nullptr);
 }
 
 } // namespace birdstrike

@@ -34,6 +34,7 @@
 // close, but the energy booked as internal then differs from the law's integral of p/rho^2 drho by some per cent.
 #pragma once
 
+#include "core/contact/mirror_planes.h"
 #include "core/contact/rigid_plate.h"
 #include "core/particles/neighbours.h"
 #include "core/settings.h"
@@ -48,7 +49,8 @@ struct Rates
   std::vector<double> summed_density; //!< rho0 sum V_k W_ik [kg/m3]
   std::vector<double> energy;         //!< specific, viscous share included [W/kg]
   std::vector<double> viscous;        //!< the viscous share [W/kg]
-  std::vector<double> wall_force;     //!< x component of the plate's force on the particle [N]
+  std::vector<double> wall_force;     //!< x component of the target's force on the particle [N]
+  std::vector<Vector3> image_force;   //!< of the images in the particle's wall on it; empty without walls [N]
   std::vector<double> divergence;     //!< div v [1/s]
   std::vector<double> approach;       //!< largest |mu| of the pair viscosity, or l |div v| of 5.58 [m/s]
   std::vector<double> limiter;        //!< f of artificial_viscosity.h for the next evaluation [-]
@@ -69,11 +71,13 @@ public:
   //! \param particles  positions and smoothing lengths at the time of the rates; pressure, sound speed are set
   //! \param vx,vy,vz   velocity at the same time, N entries each [m/s]
   //! \param density    at the same time [kg/m3]; that of \p particles is the one at the end of the step before
+  //! \param walls      mirrors of the particles, N rows; null where there are none
   //! \param energy     specific internal energy at the same time, but for the half of the pressure's work over this step
   //!                   that its new value does, e' of 5.52; matters to laws with energy only [J/kg]
   void evaluate(Particles& particles, const std::vector<double>& vx, const std::vector<double>& vy,
                 const std::vector<double>& vz, const std::vector<double>& density,
-                const std::vector<double>& energy, const Neighbours& neighbours, Rates& rates);
+                const std::vector<double>& energy, const Neighbours& neighbours, Rates& rates,
+                const MirrorPlanes* walls = nullptr);
 
 private:
   const PairKernels& kernels_;
@@ -81,12 +85,15 @@ private:
   PairSettings pair_settings_;
   std::vector<double> x_, y_, z_, vx_, vy_, vz_, h_, weight_, pressure_, stress_, shock_stress_, sound_speed_,
       inertia_, rest_density_, limiter_, strain_rate_[6];
-  std::vector<double> fx_, fy_, fz_, gradient_[9], number_, pressure_sum_, work_, heating_, mu_, wall_;
+  std::vector<double> fx_, fy_, fz_, gradient_[9], number_, pressure_sum_, work_, heating_, mu_, wall_,
+      wall_fy_, wall_fz_;
+  std::vector<double> wall_x_, wall_y_, wall_z_, wall_at_, wall_speed_, wall_open_;
 
   void prepare(Particles& particles, const std::vector<double>& vx, const std::vector<double>& vy,
                const std::vector<double>& vz, const std::vector<double>& density,
                const std::vector<double>& energy, const Rates& rates);
-  void finish(Particles& particles, Rates& rates);
+  void copy_walls(const MirrorPlanes& walls);
+  void finish(Particles& particles, Rates& rates, bool walls);
 };
 
 } // namespace birdstrike
