@@ -179,7 +179,9 @@ std::vector<DeflectionGauge> deflection_points(const Case& parsed, const ShellMe
 
 bool has_mesh_target(const Case& parsed)
 {
-  return !is_column(parsed) && (!parsed.target.rigid || parsed.target.contact == "penalty");
+  const TargetCase& t = parsed.target;
+  const bool even = t.refinement == std::array<double, 2>{1, 1};
+  return !is_column(parsed) && !(t.rigid && t.shape == "plate" && t.contact == "mirror" && even);
 }
 
 ShellMesh mesh_of_target(const Case& parsed, Log& log)
@@ -209,6 +211,7 @@ BuiltTarget build_target(const Case& parsed, Log& log)
   ContactSettings contact;
   contact.friction = t.friction;
   contact.stiffness_scale = t.contact_stiffness;
+  contact.mirror = t.contact == "mirror";
   log.info(fmt::format("target: {} nodes, {} elements, parts {}", mesh.points.size(), mesh.elements.size(),
                        part_names(mesh)));
   std::vector<DeflectionGauge> points = deflection_points(parsed, mesh, log);

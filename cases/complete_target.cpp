@@ -74,24 +74,14 @@ void check_supports(const Case& parsed)
 
 } // namespace
 
-void complete_target(Case& parsed, bool contact_given)
+void complete_target(Case& parsed)
 {
   TargetCase& target = parsed.target;
   const std::string file = parsed.file.string();
   if (is_column(parsed))
     return;
-  if (target.rigid) {
-    if (target.shape != "plate")
-      target.contact = "penalty";
-    if (target.contact == "mirror" && (target.refinement[0] != 1 || target.refinement[1] != 1))
-      throw InputError(
-          fmt::format("{}: target.plate.refinement is for a plate in springs; set target.contact = "
-                      "\"penalty\" or leave the refinement out",
-                      file));
+  if (target.rigid)
     return;
-  }
-  (void)contact_given;
-  target.contact = "penalty";
   if (target.material.empty() &&
       std::none_of(target.parts.begin(), target.parts.end(),
                    [](const TargetPartCase& part) { return !part.material.empty(); }))

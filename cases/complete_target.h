@@ -10,7 +10,7 @@ namespace birdstrike {
 //! ribs, a blade at its root.
 //! \throw InputError naming the key: a moving target without material, a mesh without supports, a support without nodes or
 //!        with a component that is none, a spin without axis
-void complete_target(Case& parsed, bool contact_given);
+void complete_target(Case& parsed);
 
 //! Which of moves x, y, z and turns x, y, z a text holds.
 //! \throw InputError without a place, listing what is allowed

@@ -21,12 +21,9 @@ const Condition panel{"target.shape = \"windshield\"",
 const Condition blade{"target.shape = \"blade\"", [](const Case& c) { return is_shape(c, "blade"); }};
 const Condition file{"target.shape = \"mesh\"", [](const Case& c) { return is_shape(c, "mesh"); }};
 const Condition shells{"target.rigid = false", [](const Case& c) { return !c.target.rigid; }};
-const Condition rigid_plate{"a rigid flat plate",
-                            [](const Case& c) { return c.target.rigid && is_shape(c, "plate"); }};
-const Condition springs{
-    "a target that is not a rigid plate with target.contact = \"mirror\"", [](const Case& c) {
-      return !is_column(c) && (!c.target.rigid || c.target.shape != "plate" || c.target.contact == "penalty");
-    }};
+
+const Condition springs{"target.contact = \"penalty\"",
+                        [](const Case& c) { return !is_column(c) && c.target.contact == "penalty"; }};
 
 } // namespace
 
@@ -43,7 +40,7 @@ std::vector<Key> target_keys()
     {"target.plate.size", length, "m", true, above(0), "edge lengths of the plate, sideways and upwards", SLOT(size), nullptr, &plate},
     {"target.plate.thickness", length, "mm", true, above(0), "thickness of the plate", SLOT(thickness), nullptr, &plate},
     {"target.plate.elements", number, "", true, within(1, 2000), "number of elements, sideways and upwards", SLOT(elements), nullptr, &plate},
-    {"target.plate.refinement", number, "", false, within(1, 100), "largest over smallest element, sideways and upwards; the smallest lie under the aim point; for a plate in springs", SLOT(refinement), nullptr, &plate},
+    {"target.plate.refinement", number, "", false, within(1, 100), "largest over smallest element, sideways and upwards; the smallest lie under the aim point", SLOT(refinement), nullptr, &plate},
 
     {"target.leading_edge.depth", length, "mm", false, above(0), "from the nose to the spar", SLOT(leading_edge.depth), nullptr, &edge},
     {"target.leading_edge.height", length, "mm", false, above(0), "of the section at the spar", SLOT(leading_edge.height), nullptr, &edge},
@@ -102,9 +99,9 @@ std::vector<Key> target_keys()
     {"target.supports.*.high", length, "mm", false, {}, "opposite corner", SUPPORT_SLOT(high), nullptr, &shells},
     {"target.supports.*.fix", number, "", false, {}, "clamped, simply-supported, symmetry-x, -y, -z, or the held components, for example \"x z ry\"", SUPPORT_SLOT(fix), nullptr, &shells},
 
-    {"target.contact", number, "", false, {}, "of a rigid plate: mirror takes the plate as the mirror of the flow; penalty holds particles by springs, as for every other target", SLOT(contact), contact_kinds, &rigid_plate},
-    {"target.contact_stiffness", number, "", false, above(0), "factor on the stiffness derived from bulk modulus, spacing and thickness", SLOT(contact_stiffness), nullptr, &springs},
-    {"target.friction", number, "", false, within(0, 2), "Coulomb's coefficient between bird and target", SLOT(friction), nullptr, &springs},
+    {"target.contact", number, "", false, {}, "mirror: the surface is the mirror of the flow in front of it, and springs stop who comes too near all the same; penalty: springs alone, as other codes have them", SLOT(contact), contact_kinds, &no_column},
+    {"target.contact_stiffness", number, "", false, above(0), "factor on the stiffness of the springs, which is derived from bulk modulus, spacing and thickness", SLOT(contact_stiffness), nullptr, &no_column},
+    {"target.friction", number, "", false, within(0, 2), "Coulomb's coefficient between bird and target; acts through the springs: for target.contact = \"penalty\"", SLOT(friction), nullptr, &springs},
 
     {"deflections.*.at", length, "mm", true, {}, "place on the target before the load; the displacement of the nearest node along the flight goes into histories.csv", POINT_SLOT(at), nullptr, &shells},
   };

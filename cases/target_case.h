@@ -52,7 +52,7 @@ struct TargetCase
   double mesh_thickness = not_given; //!< of the parts of a mesh that have none [m]
 
   bool rigid = true;
-  std::string contact = "mirror"; //!< of a rigid plate: "mirror" or "penalty"
+  std::string contact = "mirror"; //!< or "penalty"
   double friction = 0;            //!< [-]
   double contact_stiffness = 1;   //!< on the derived one [-]
 

@@ -78,8 +78,11 @@ struct Simulation::State
   std::optional<MeshTarget> mesh;
   std::optional<InitialGap> initial_gap;  // with mesh and bird
   std::optional<ParticleContact> contact; // the same
-  std::vector<double> fx, fy, fz;         // of contact on the particles [N]
-  std::vector<Vector3> node_force;        // of contact on the nodes of mesh [N]
+  std::optional<MirrorSearch> mirror;     // where contact mirrors
+  MirrorPlanes walls;
+  std::vector<SurfaceForce> image_forces;
+  std::vector<double> fx, fy, fz;  // of contact on the particles [N]
+  std::vector<Vector3> node_force; // of contact on the nodes of mesh [N]
   std::vector<DeflectionGauge> deflections;
 
   Rates rates;
@@ -119,6 +122,8 @@ struct Simulation::State
         of_contact.impact_speed = speed_of(particles);
       initial_gap = require_initial_gap(particles, mesh->surface());
       contact.emplace(particles, mesh->surface(), of_contact);
+      if (of_contact.mirror)
+        mirror.emplace(2 * s.smoothing_growth * particles.initial_smoothing, particles.spacing);
     }
   }
 
@@ -132,6 +137,7 @@ struct Simulation::State
   void refresh_neighbours();
   void evaluate_rates(double dt);
   void evaluate_contact(double dt);
+  void collect_image_forces();
   TimeStep find_step();
   void book_target();
   void book();
@@ -243,8 +249,13 @@ void Simulation::State::refresh_neighbours()
 void Simulation::State::evaluate_rates(double dt)
 {
   if (particles.size() > 0) {
+    if (mirror) {
+      const Stopwatch watch{shares.contact};
+      mirror->find(particles, mesh->surface(), walls);
+    }
     const Stopwatch watch{shares.particles};
-    sph.evaluate(particles, trial_vx, trial_vy, trial_vz, trial_density, trial_energy, neighbours, rates);
+    sph.evaluate(particles, trial_vx, trial_vy, trial_vz, trial_density, trial_energy, neighbours, rates,
+                 mirror ? &walls : nullptr);
     particles.density = rates.summed_density;
     require_finite(particles, rates, time);
   }
@@ -266,19 +277,36 @@ void Simulation::State::evaluate_contact(double dt)
 {
   const Stopwatch watch{shares.contact};
   std::fill(node_force.begin(), node_force.end(), Vector3::Zero());
+  collect_image_forces();
   contact->evaluate(particles, trial_vx, trial_vy, trial_vz, mesh->surface(), dt, fx, fy, fz, node_force,
-                    mesh->loads);
+                    mesh->loads, image_forces);
   for_each_row(particles.size(), [&](std::size_t i) {
     rates.ax[i] += fx[i] / particles.mass[i];
     rates.ay[i] += fy[i] / particles.mass[i];
     rates.az[i] += fz[i] / particles.mass[i];
-    rates.wall_force[i] = fx[i];
+    rates.wall_force[i] += fx[i]; // which holds the images' share
   });
   if (Shells* structure = mesh->shells())
     structure->add_contact(node_force);
   ledger.contact_force = contact->force_on_target();
-  if (!first_contact && contact->touching() > 0)
+  if (!first_contact && (contact->touching() > 0 || ledger.contact_force[0] > 0))
     first_contact = time;
+}
+
+//! What the images do to the particles, to be taken from the target.
+void Simulation::State::collect_image_forces()
+{
+  image_forces.clear();
+  for (std::size_t i = 0; i < rates.image_force.size(); ++i) {
+    const Vector3& force = rates.image_force[i];
+    if (walls.element[i] < 0 || force.isZero())
+      continue;
+    const Vector3 normal(walls.normal_x[i], walls.normal_y[i], walls.normal_z[i]);
+    // Half a cell of matter between the particle and the wall, as for the springs.
+    const double stiffness =
+        2 * particles.density[i] * particles.sound_speed[i] * particles.sound_speed[i] * particles.spacing;
+    image_forces.push_back({walls.element[i], walls.weight[i], force, force.dot(normal), stiffness});
+  }
 }
 
 //! The smallest limit of particles, shells and contact.

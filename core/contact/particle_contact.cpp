@@ -122,6 +122,13 @@ long ParticleContact::leaked() const
   return leaked_ + std::count_if(passed_.begin(), passed_.end(), [](std::int32_t e) { return e >= 0; });
 }
 
+double ParticleContact::reach(double thickness) const
+{
+  constexpr double of_mirror =
+      0.5; // of the half spacing at which undisturbed particles stand before a mirror
+  return contact_distance((settings_.mirror ? of_mirror : 1) * spacing_, thickness);
+}
+
 void ParticleContact::follow_nodes(const ContactSurface& surface)
 {
   bins_.update(surface);
@@ -142,7 +149,8 @@ void ParticleContact::evaluate(const Particles& particles, const std::vector<dou
                                const std::vector<double>& vy, const std::vector<double>& vz,
                                const ContactSurface& surface, double duration, std::vector<double>& fx,
                                std::vector<double>& fy, std::vector<double>& fz,
-                               std::vector<Vector3>& node_force, ElementLoads& loads)
+                               std::vector<Vector3>& node_force, ElementLoads& loads,
+                               std::span<const SurfaceForce> others)
 {
   const Moment now{particles, vx, vy, vz, surface, duration, fx, fy, fz};
   const std::size_t count = particles.size();
@@ -160,7 +168,7 @@ void ParticleContact::evaluate(const Particles& particles, const std::vector<dou
     for (std::size_t i = first; i < std::min(count, first + run_length); ++i)
       look_at(i, now, found);
   }
-  add_up(now, duration, node_force, loads);
+  add_up(now, duration, node_force, loads, others);
   last_node_.assign(surface.position.begin(), surface.position.end());
   begun_ = true;
 }
@@ -206,7 +214,7 @@ void ParticleContact::look_at(std::size_t row, const Moment& now, Found& found)
   std::int32_t crossed = -1;
   const auto look_at_element = [&](std::int32_t element) {
     const auto e = static_cast<std::size_t>(element);
-    const double reach = contact_distance(spacing_, surface.thickness[e]);
+    const double reach = this->reach(surface.thickness[e]);
     if (!bins_.may_reach(element, p, std::max(reach + std::max(gap, 0.0), moved)))
       return;
     const ElementPieces pieces(surface.mesh.elements[e], surface.position);
@@ -385,7 +393,7 @@ void ParticleContact::look_ahead(std::size_t row, const Moment& now, const Touch
 
 //! Sums in one order for any number of threads.
 void ParticleContact::add_up(const Moment& now, double duration, std::vector<Vector3>& node_force,
-                             ElementLoads& loads)
+                             ElementLoads& loads, std::span<const SurfaceForce> others)
 {
   const ContactSurface& surface = now.surface;
   const std::size_t elements = surface.mesh.elements.size();
@@ -407,6 +415,20 @@ void ParticleContact::add_up(const Moment& now, double duration, std::vector<Vec
   touching_ = tests_ = 0;
   double slip_power = 0, per_mass = 0, per_node_mass = 0;
   stable_step_ = infinity;
+  const auto take = [&](const SurfaceForce& contact) {
+    const auto e = static_cast<std::size_t>(contact.element);
+    loads.force[e] -= contact.force;
+    loads.pressure[e] += contact.pressing;
+    force_on_target_ -= contact.force;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto n = static_cast<std::size_t>(surface.mesh.elements[e][k]);
+      node_force[n] -= contact.weight[k] * contact.force;
+      node_stiffness_[n] += contact.weight[k] * contact.stiffness;
+      per_node_mass = std::max(per_node_mass, node_stiffness_[n] / surface.mass[n]);
+    }
+  };
+  for (const SurfaceForce& other : others)
+    take(other);
   for (const Found& found : found_) {
     energy_.stored += found.stored;
     energy_.released += found.released;
@@ -416,22 +438,12 @@ void ParticleContact::add_up(const Moment& now, double duration, std::vector<Vec
     touching_ += found.touching;
     leaked_ += found.leaked;
     tests_ += found.tests;
-    for (const Contact& contact : found.contacts) {
-      const auto e = static_cast<std::size_t>(contact.element);
-      loads.force[e] -= contact.force;
-      loads.pressure[e] += contact.pressing;
-      force_on_target_ -= contact.force;
-      for (std::size_t k = 0; k < 4; ++k) {
-        const auto n = static_cast<std::size_t>(surface.mesh.elements[e][k]);
-        node_force[n] -= contact.weight[k] * contact.force;
-        node_stiffness_[n] += contact.weight[k] * contact.stiffness;
-        per_node_mass = std::max(per_node_mass, node_stiffness_[n] / surface.mass[n]);
-      }
-    }
+    for (const SurfaceForce& contact : found.contacts)
+      take(contact);
   }
   energy_.friction += 0.5 * duration * (slip_power_ + slip_power);
   slip_power_ = slip_power;
-  if (per_mass > 0)
+  if (per_mass + per_node_mass > 0)
     stable_step_ = std::min(stable_step_, 2 / std::sqrt(per_mass + per_node_mass));
   for (std::size_t e = 0; e < elements; ++e) {
     if (loads.pressure[e] > 0)

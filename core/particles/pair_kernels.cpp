@@ -86,7 +86,7 @@ template <Seen seen>
 template <Seen seen, bool limited>
 [[gnu::always_inline]] inline void
 add_pair(Sums& sum, const Side<Pack>& i, const PairInput& in, int j, Pack dx, Pack dy, Pack dz, Pack vx,
-         Pack vy, Pack vz, const PairSettings& s, [[maybe_unused]] Pack open, const Vector& turned = {})
+         Pack vy, Pack vz, const PairSettings& s, [[maybe_unused]] Pack open, const Vector& turned = Vector())
 {
   const Pack zero{};
   const Pack h = 0.5 * (i.h + in.h[j]);
