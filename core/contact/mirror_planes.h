@@ -46,8 +46,18 @@ public:
   void find(const Particles& particles, const ContactSurface& surface, MirrorPlanes& planes);
 
 private:
+  struct Nearest
+  {
+    double distance2 = 1e300; // [m2]
+    std::int32_t element = -1;
+    std::array<double, 4> weight{};
+    Vector3 foot, face; // place and normal of the piece
+  };
   double reach_;
   ElementBins bins_;
+
+  void look_at(std::int32_t element, const Vector3& place, const ContactSurface& surface,
+               Nearest& nearest) const;
 };
 
 } // namespace birdstrike
