@@ -4,6 +4,7 @@
 
 #include "core/simulation.h"
 #include "core/theory/impact_pressures.h"
+#include "core/theory/water_hammer.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -102,7 +103,26 @@ struct Theory
 {
   std::string part;
   double hugoniot, bernoulli, standing_shock; //!< [Pa]
+  double
+      compliant; //!< 2.4, on a target that gives way before waves come back through its thickness; NaN if rigid [Pa]
 };
+
+//! rho c of a wave across the thickness of the target's first part; NaN for a target that does not move [kg/m2/s].
+double target_impedance(const Simulation& run)
+{
+  const Shells* shells = run.mesh_target() ? run.mesh_target()->shells() : nullptr;
+  return shells ? std::sqrt(shells->section_of(0).material.density * run.mesh_target()->surface().modulus[0])
+                : NAN;
+}
+
+//! 2.4 with the shock speed that 2.4 wants, at the impact speed.
+double compliant_pressure(const EquationOfState& eos, double speed, double impedance)
+{
+  if (std::isnan(impedance))
+    return NAN;
+  return compliant_target_pressure(reference_density(eos) * hugoniot(eos, speed).shock_speed, impedance,
+                                   speed);
+}
 
 std::vector<Theory> theory_of(const Simulation& run)
 {
@@ -113,7 +133,8 @@ std::vector<Theory> theory_of(const Simulation& run)
   for (const Part& part : run.particles().parts)
     if (speed > 0)
       rows.push_back({part.name, hugoniot(part.eos, speed).pressure, stagnation_bernoulli(part.eos, whole),
-                      stagnation_standing_shock(part.eos, whole)});
+                      stagnation_standing_shock(part.eos, whole),
+                      compliant_pressure(part.eos, speed, target_impedance(run))});
   return rows;
 }
 
@@ -185,9 +206,12 @@ std::string summary_json(const Simulation& run, const RunFacts& facts)
   // The bird's own three are those of the part with the highest Hugoniot pressure.
   const std::vector<Theory> theory = theory_of(run);
   const auto values = [](const Theory& t) {
-    return nlohmann::ordered_json{{"hugoniot_pressure", t.hugoniot},
-                                  {"stagnation_bernoulli", t.bernoulli},
-                                  {"stagnation_standing_shock", t.standing_shock}};
+    nlohmann::ordered_json row{{"hugoniot_pressure", t.hugoniot},
+                               {"stagnation_bernoulli", t.bernoulli},
+                               {"stagnation_standing_shock", t.standing_shock}};
+    if (!std::isnan(t.compliant))
+      row["compliant_target_pressure"] = t.compliant;
+    return row;
   };
   if (!theory.empty()) {
     json["theory"] =
