@@ -18,7 +18,7 @@ struct RigidPlate;
 vtkSmartPointer<vtkUnstructuredGrid> plate_to_vtk(const RigidPlate& plate, double time);
 
 //! One triangle or quad per element, in the order of the elements; the points are where the target is now. Point arrays
-//! "displacement" [m] and, where it is no rigid body, "velocity" [m/s]; cell arrays "part" and those of core/fields.h, and
+//! "displacement" [m] (MeshTarget::displacement) and, where it is no rigid body, "velocity" [m/s]; cell arrays "part" and those of core/fields.h, and
 //! vtkGhostType, which hides eroded elements; field arrays as above.
 vtkSmartPointer<vtkUnstructuredGrid> mesh_target_to_vtk(const MeshTarget& target, double time);
 
