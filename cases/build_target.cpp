@@ -47,7 +47,7 @@ Box extent_of(const ShellMesh& mesh)
 //! Nothing that a bird flies into is outside of this; a mesh that is has another unit.
 void check_size(const Case& parsed, const ShellMesh& mesh)
 {
-  constexpr double smallest = 0.02, largest = 100; // [m]
+  constexpr double smallest = 0.02, largest = 20; // [m]
   const double size = extent_of(mesh).sizes().maxCoeff();
   require(size >= smallest && size <= largest,
           fmt::format(

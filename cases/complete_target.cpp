@@ -74,7 +74,8 @@ void check_supports(const Case& parsed)
       throw InputError(place + ": a box needs both corners, low and high");
     for (std::size_t k = 0; low && k < 3; ++k)
       if (support.low[k] > support.high[k])
-        throw InputError(place + ": low lies above high");
+        throw InputError(fmt::format("{}: low = {:g} m lies above high = {:g} m along {}", place,
+                                     support.low[k], support.high[k], "xyz"[k]));
     try {
       held_components(support.fix);
     } catch (const InputError& error) {
@@ -133,10 +134,10 @@ void complete_target(Case& parsed)
     else if (target.shape == "blade")
       clamp("root");
     else
-      throw InputError(fmt::format("{}: target.supports is missing: say what holds the mesh, for example\n"
-                                   "  [target.supports.rim]\n  nodes = \"boundary\"\n"
-                                   "or target.free = true if nothing does",
-                                   file));
+      throw InputError(fmt::format(
+          "{}: target.supports is missing: say what holds the mesh, for example supports.rim = {{ nodes = "
+          "\"boundary\" }} under [target], or free = true if nothing does",
+          file));
   }
   check_supports(parsed);
   check_deflections(parsed);

@@ -101,8 +101,13 @@ vtkSmartPointer<vtkUnstructuredGrid> mesh_target_to_vtk(const MeshTarget& target
       hidden->InsertNextValue(gone ? vtkDataSetAttributes::HIDDENCELL : 0);
     grid->GetCellData()->AddArray(hidden);
   }
-  if (!target.shells()) // that of shells is a cell array
-    add_field_value(*grid->GetFieldData(), "thickness", mesh.parts.front().thickness);
+  if (!target.shells()) { // shells have it among their fields
+    auto thickness = vtkSmartPointer<vtkDoubleArray>::New();
+    thickness->SetName("thickness");
+    for (const double of_element : target.surface().thickness)
+      thickness->InsertNextValue(of_element);
+    grid->GetCellData()->AddArray(thickness);
+  }
   add_field_value(*grid->GetFieldData(), "middle_surface",
                   1); // the points lie in the middle of the thickness
   add_field_value(*grid->GetFieldData(), "TimeValue", time);
