@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cases/build_target.h"
 
-#include "cases/approach.h"
 #include "cases/column.h"
 #include "cases/complete_target.h"
 #include "cases/log.h"
@@ -37,6 +36,26 @@ auto at(const Case& parsed, const std::string& key, const Function& f)
   }
 }
 
+Box extent_of(const ShellMesh& mesh)
+{
+  Box box;
+  for (const Vector3& point : mesh.points)
+    box.extend(point);
+  return box;
+}
+
+//! Nothing that a bird flies into is outside of this; a mesh that is has another unit.
+void check_size(const Case& parsed, const ShellMesh& mesh)
+{
+  constexpr double smallest = 0.02, largest = 20; // [m]
+  const double size = extent_of(mesh).sizes().maxCoeff();
+  require(size >= smallest && size <= largest,
+          fmt::format(
+              "{}: the mesh is {:.4g} m across, and targets are {} m to {} m: set target.mesh.unit to the "
+              "length of one unit of the file, for example \"{}\"",
+              place(parsed, "mesh.file"), size, smallest, largest, size > largest ? "1 mm" : "1 m"));
+}
+
 ShellMesh raw_mesh(const Case& parsed, Log& log)
 {
   const TargetCase& t = parsed.target;
@@ -55,6 +74,7 @@ ShellMesh raw_mesh(const Case& parsed, Log& log)
   ShellImport read = at(parsed, "mesh.file", [&] { return read_target(file, t.mesh_unit); });
   for (const std::string& warning : read.warnings)
     log.warn(fmt::format("{}: {}", file.string(), warning));
+  check_size(parsed, read.mesh);
   for (ShellMeshPart& part : read.mesh.parts)
     if (!(part.thickness > 0) && !std::isnan(t.mesh_thickness))
       part.thickness = t.mesh_thickness;
@@ -157,6 +177,21 @@ ShellSettings settings_of(const TargetCase& t)
   return settings;
 }
 
+//! Longest side of the elements at a node [m].
+double size_around(const ShellMesh& mesh, std::ptrdiff_t node)
+{
+  double longest = 0;
+  for (const ShellElement& element : mesh.elements) {
+    if (std::find(element.begin(), element.end(), node) == element.end())
+      continue;
+    for (std::size_t k = 0; k < 4; ++k)
+      longest = std::max(longest, (mesh.points[static_cast<std::size_t>(element[k])] -
+                                   mesh.points[static_cast<std::size_t>(element[(k + 1) % 4])])
+                                      .norm());
+  }
+  return longest;
+}
+
 std::vector<DeflectionGauge> deflection_points(const Case& parsed, const ShellMesh& mesh, Log& log)
 {
   std::vector<DeflectionGauge> points;
@@ -170,6 +205,13 @@ std::vector<DeflectionGauge> deflection_points(const Case& parsed, const ShellMe
         fmt::format("deflection {}: node {} at {:.4g}, {:.4g}, {:.4g} m, {:.3g} mm from the place asked for",
                     row.name, nearest - mesh.points.begin(), (*nearest)[0], (*nearest)[1], (*nearest)[2],
                     1e3 * (*nearest - wanted).norm()));
+    const double away = (*nearest - wanted).norm(),
+                 element = size_around(mesh, nearest - mesh.points.begin());
+    if (away > element)
+      log.warn(
+          fmt::format("deflections.{}.at lies {:.3g} mm away from the nearest node, which is farther than an "
+                      "element there, {:.3g} mm: is this the place you mean?",
+                      row.name, 1e3 * away, 1e3 * element));
     points.push_back({row.name, static_cast<std::size_t>(nearest - mesh.points.begin())});
   }
   return points;
@@ -219,7 +261,8 @@ BuiltTarget build_target(const Case& parsed, Log& log)
     return {Target(MeshTarget(std::move(mesh)), contact), std::move(points)};
   const std::vector<ShellSection> sections = sections_of(parsed, mesh, log);
   const std::vector<Support> supports = supports_of(parsed, mesh, log);
-  Shells shells(std::move(mesh), sections, supports, {}, settings_of(t));
+  Shells shells = at(parsed, "shape = " + t.shape,
+                     [&] { return Shells(std::move(mesh), sections, supports, {}, settings_of(t)); });
   log.info(fmt::format("target mass {:.4g} kg, stable step of its shells {:.3g} us", shells.total_mass(),
                        1e6 * shells.stable_step()));
   if (t.spin != 0) {
@@ -231,35 +274,6 @@ BuiltTarget build_target(const Case& parsed, Log& log)
                          1e3 * largest));
   }
   return {Target(MeshTarget(std::move(shells)), contact), std::move(points)};
-}
-
-std::vector<std::string> place_before(const Case& parsed, const ShellMesh& target, Particles& bird,
-                                      Flight& flight)
-{
-  const double thickness = std::max_element(target.parts.begin(), target.parts.end(),
-                                            [](const ShellMeshPart& a, const ShellMeshPart& b) {
-                                              return a.thickness < b.thickness;
-                                            })
-                               ->thickness;
-  const Approach found = approach(bird, flight.direction, 0.5 * (bird.spacing + thickness), target);
-  require(std::isfinite(found.way),
-          fmt::format("{}: nothing of the bird meets the target: the aim point is the origin, and the target "
-                      "reaches from "
-                      "there elsewhere; move the mesh or change its unit, target.mesh.unit",
-                      parsed.file.string()));
-  const Vector3 shift = (found.way - parsed.bird.gap) * flight.direction;
-  for (std::size_t i = 0; i < bird.size(); ++i) {
-    bird.x[i] += shift[0];
-    bird.y[i] += shift[1];
-    bird.z[i] += shift[2];
-  }
-  flight.gap = parsed.bird.gap * flight.direction[0];
-  std::vector<std::string> warnings;
-  if (found.missed > 0)
-    warnings.push_back(
-        fmt::format("{:.1f} % of the bird's mass flies past the target; enlarge it unless that is meant",
-                    100 * found.missed));
-  return warnings;
 }
 
 } // namespace birdstrike

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "cases/case.h"
-#include "cases/flight.h"
 #include "core/gauges/target_history.h"
 #include "core/simulation.h"
 
@@ -29,11 +28,5 @@ ShellMesh mesh_of_target(const Case& parsed, Log& log);
 //! \throw InputError as mesh_of_target, and for an unknown material or a support without nodes; RunError if the
 //!        centrifugal load finds no equilibrium
 BuiltTarget build_target(const Case& parsed, Log& log);
-
-//! Move the bird along its flight until bird.gap is left to the target of any shape.
-//! \return warnings: mass that flies past
-//! \throw InputError if nothing of the bird meets the target
-std::vector<std::string> place_before(const Case& parsed, const ShellMesh& target, Particles& bird,
-                                      Flight& flight);
 
 } // namespace birdstrike

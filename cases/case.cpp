@@ -228,15 +228,22 @@ std::string target_of(const Case& parsed)
                      parsed.target.rigid);
 }
 
+//! What of a case decides whether a key has a meaning.
+std::string facts_for(const Case& parsed, const std::string& table)
+{
+  if (table == "bird" || is_column(parsed))
+    return bird_of(parsed);
+  return table == "transducers" ? bird_of(parsed) + ", " + target_of(parsed) : target_of(parsed);
+}
+
 //! Nobody should think that a key does something where it does not.
 void refuse_idle_keys(const Case& parsed, const std::vector<Entry>& entries)
 {
   for (const Entry& entry : entries)
     if (const Key* key = find_key(entry.path); key && key->only && !key->only->holds(parsed))
-      throw InputError(fmt::format(
-          "{}: {} = {}: this key is only for {}, and this case has {}", entry.place, join(entry.path),
-          entry.found, key->only->text,
-          entry.path.front() == "bird" ? bird_of(parsed) : bird_of(parsed) + ", " + target_of(parsed)));
+      throw InputError(fmt::format("{}: {} = {}: this key is only for {}, and this case has {}", entry.place,
+                                   join(entry.path), entry.found, key->only->text,
+                                   facts_for(parsed, entry.path.front())));
 }
 
 void check_bird(Case& parsed, const std::set<std::string>& given, const std::string& file)

@@ -79,7 +79,8 @@ struct Entry;
 //! The same with overrides that know where they were written, for messages.
 Case read_case_with(const std::filesystem::path& file, const std::vector<Entry>& overrides);
 
-//! The case as TOML with every default filled in; read_case gives an equal case back.
+//! The case as TOML with every default filled in; read_case gives an equal case back. Files beside the case are named by
+//! their whole path.
 std::string to_toml(const Case& parsed);
 
 //! Names for bird.shape: those of shape_names() and "column".

@@ -18,11 +18,28 @@ bool is_bare(const std::string& name)
   });
 }
 
+//! A file beside the case by its whole path, so that the text means the same wherever it stands; names of share stay.
+void make_whole(std::string& file, const std::filesystem::path& folder)
+{
+  std::error_code ignored;
+  if (!file.empty() && std::filesystem::is_regular_file(folder / file, ignored))
+    file = std::filesystem::absolute(folder / file).lexically_normal().string();
+}
+
 } // namespace
 
 std::string to_toml(const Case& parsed)
 {
   Case values = parsed; // slots point to what can be written
+  if (!parsed.file.empty()) {
+    const std::filesystem::path folder = parsed.file.parent_path();
+    for (std::string* file : {&values.bird.mesh, &values.target.mesh, &values.target.material})
+      make_whole(*file, folder);
+    for (TargetPartCase& part : values.target.parts)
+      make_whole(part.material, folder);
+    for (LawCase& law : values.laws)
+      make_whole(law.file, folder);
+  }
   std::string text, table;
   const auto line = [&](const Key& key, const std::string& path, const std::string& name, std::size_t part) {
     const auto written = values.written.find(path);

@@ -51,6 +51,17 @@ std::array<bool, 6> held_components(const std::string& fix)
 
 namespace {
 
+//! Their names become titles in histories.csv.
+void check_deflections(const Case& parsed)
+{
+  for (const DeflectionCase& row : parsed.deflections)
+    if (row.name.find_first_of(",\"\n\r") != std::string::npos)
+      throw InputError(
+          fmt::format("{}: deflections.{}: the name must do for a title in histories.csv: no comma, "
+                      "quote or line break",
+                      parsed.file.string(), row.name));
+}
+
 void check_supports(const Case& parsed)
 {
   const std::string file = parsed.file.string();
@@ -63,7 +74,8 @@ void check_supports(const Case& parsed)
       throw InputError(place + ": a box needs both corners, low and high");
     for (std::size_t k = 0; low && k < 3; ++k)
       if (support.low[k] > support.high[k])
-        throw InputError(place + ": low lies above high");
+        throw InputError(fmt::format("{}: low = {:g} m lies above high = {:g} m along {}", place,
+                                     support.low[k], support.high[k], "xyz"[k]));
     try {
       held_components(support.fix);
     } catch (const InputError& error) {
@@ -91,7 +103,17 @@ void complete_target(Case& parsed)
                     file));
   if (target.spin != 0 && target.spin_axis == std::array<double, 3>{})
     throw InputError(fmt::format("{}: target.spin_axis = [0, 0, 0] is no direction", file));
-  if (target.supports.empty()) {
+  if (target.free && !target.supports.empty())
+    throw InputError(
+        fmt::format("{}: target.supports.{} holds a target that target.free = true lets go; leave one "
+                    "of them out",
+                    file, target.supports.front().name));
+  if (target.free && target.spin != 0)
+    throw InputError(
+        fmt::format("{}: target.spin: a free target has no centrifugal pre-stress in balance; give it "
+                    "target.supports instead of target.free",
+                    file));
+  if (!target.free && target.supports.empty()) {
     const auto clamp = [&target](const char* set) {
       SupportCase& row = target.supports.emplace_back();
       row.name = row.nodes = set;
@@ -103,11 +125,13 @@ void complete_target(Case& parsed)
     else if (target.shape == "blade")
       clamp("root");
     else
-      throw InputError(fmt::format("{}: target.supports is missing: a mesh needs at least one, for example\n"
-                                   "  [target.supports.rim]\n  nodes = \"boundary\"",
-                                   file));
+      throw InputError(fmt::format(
+          "{}: target.supports is missing: say what holds the mesh, for example supports.rim = {{ nodes = "
+          "\"boundary\" }} under [target], or free = true if nothing does",
+          file));
   }
   check_supports(parsed);
+  check_deflections(parsed);
 }
 
 } // namespace birdstrike

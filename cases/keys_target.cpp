@@ -22,8 +22,12 @@ const Condition blade{"target.shape = \"blade\"", [](const Case& c) { return is_
 const Condition file{"target.shape = \"mesh\"", [](const Case& c) { return is_shape(c, "mesh"); }};
 const Condition shells{"target.rigid = false", [](const Case& c) { return !c.target.rigid; }};
 
+const Condition meshed{"a target that is not a rigid plate",
+                       [](const Case& c) { return !c.target.rigid || !is_shape(c, "plate"); }};
 const Condition springs{"target.contact = \"penalty\"",
                         [](const Case& c) { return !is_column(c) && c.target.contact == "penalty"; }};
+const Condition spinning{"a target.spin that is not 0",
+                         [](const Case& c) { return !c.target.rigid && c.target.spin != 0; }};
 
 } // namespace
 
@@ -80,9 +84,9 @@ std::vector<Key> target_keys()
     {"target.mesh.unit", length, "m", false, above(0), "length of one unit of the mesh file", SLOT(mesh_unit), nullptr, &file},
     {"target.mesh.thickness", length, "mm", false, above(0), "of the parts to which the file gives none", SLOT(mesh_thickness), nullptr, &file},
 
-    {"target.material", number, "", false, {}, "a name of share/materials, or a file beside the case; required where the target is not rigid", SLOT(material), nullptr, &shells},
+    {"target.material", number, "", false, {}, "a name of share/materials, or a file beside the case; needed where a part has none of its own", SLOT(material), nullptr, &shells},
     {"target.failure", number, "", false, {}, "whether elements erode by the failure law of their material", SLOT(failure), nullptr, &shells},
-    {"target.parts.*.thickness", length, "mm", false, above(0), "thickness of the part, in place of that of the shape or the mesh", PART_SLOT(thickness), nullptr, &no_column},
+    {"target.parts.*.thickness", length, "mm", false, above(0), "thickness of the part, in place of that of the shape or the mesh", PART_SLOT(thickness), nullptr, &meshed},
     {"target.parts.*.material", number, "", false, {}, "material of the part, in place of target.material", PART_SLOT(material), nullptr, &shells},
     {"target.points", number, "", false, within(2, 10), "integration points through the thickness", SLOT(points), nullptr, &shells},
     {"target.failed_share", number, "", false, above_within(0, 1), "of an element's points; it erodes when so many have failed", SLOT(failed_share), nullptr, &shells},
@@ -90,20 +94,21 @@ std::vector<Key> target_keys()
     {"target.drilling", number, "", false, within(0, 1), "stiffness of the tie between the nodes' turning about the normal and the surface's, over the shear modulus", SLOT(drilling), nullptr, &shells},
     {"target.warping", number, "", false, {}, "terms of Belytschko, Wong and Chiang for elements that are not flat", SLOT(warping), nullptr, &shells},
     {"target.courant", number, "", false, above_within(0, 1), "share of the shells' stability limit, k of equation 3.27", SLOT(courant), nullptr, &shells},
-    {"target.damping", rate, "1/s", false, at_least(0), "deceleration of the target over its velocity", SLOT(damping), nullptr, &shells},
-    {"target.spin", rotation, "rpm", false, {}, "steady rotation with its centrifugal pre-stress; supports turn along", SLOT(spin), nullptr, &shells},
-    {"target.spin_axis", number, "", false, {}, "direction of the axis, right-handed", SLOT(spin_axis), nullptr, &shells},
-    {"target.spin_centre", length, "m", false, {}, "a point of the axis", SLOT(spin_centre), nullptr, &shells},
-    {"target.supports.*.nodes", number, "", false, {}, "a node set of the target (plate: edges, top, ...), boundary for its free edges, or all; within the box if there is one", SUPPORT_SLOT(nodes), nullptr, &shells},
-    {"target.supports.*.low", length, "mm", false, {}, "corner of a box", SUPPORT_SLOT(low), nullptr, &shells},
-    {"target.supports.*.high", length, "mm", false, {}, "opposite corner", SUPPORT_SLOT(high), nullptr, &shells},
+    {"target.damping", rate, "1/s", false, at_least(0), "deceleration over velocity, of every node of the target", SLOT(damping), nullptr, &shells},
+    {"target.spin", rotation, "rpm", false, {}, "steady rotation, with its centrifugal pre-stress; supports turn along", SLOT(spin), nullptr, &shells},
+    {"target.spin_axis", number, "", true, {}, "direction of the axis, right-handed", SLOT(spin_axis), nullptr, &spinning},
+    {"target.spin_centre", length, "m", true, {}, "a point of the axis", SLOT(spin_centre), nullptr, &spinning},
+    {"target.free", number, "", false, {}, "true: nothing holds the target; else, where no supports are given, a plate and a windshield are clamped at their edges, a leading edge at spar and ribs, a blade at its root", SLOT(free), nullptr, &shells},
+    {"target.supports.*.nodes", number, "", false, {}, "a node set of the target (plate, windshield, blade: edges, top or tip, bottom or root, left, right; leading edge: spar, ribs, nose; a mesh has its own), boundary for the free edges, or all; within the box if there is one", SUPPORT_SLOT(nodes), nullptr, &shells},
+    {"target.supports.*.low", length, "mm", false, {}, "corner of a box, with the least x, y and z; its nodes are held", SUPPORT_SLOT(low), nullptr, &shells},
+    {"target.supports.*.high", length, "mm", false, {}, "opposite corner, with the largest", SUPPORT_SLOT(high), nullptr, &shells},
     {"target.supports.*.fix", number, "", false, {}, "clamped, simply-supported, symmetry-x, -y, -z, or the held components, for example \"x z ry\"", SUPPORT_SLOT(fix), nullptr, &shells},
 
     {"target.contact", number, "", false, {}, "mirror: the surface is the mirror of the flow in front of it, and springs stop who comes too near all the same; penalty: springs alone, as other codes have them", SLOT(contact), contact_kinds, &no_column},
     {"target.contact_stiffness", number, "", false, above(0), "factor on the stiffness of the springs, which is derived from bulk modulus, spacing and thickness", SLOT(contact_stiffness), nullptr, &no_column},
     {"target.friction", number, "", false, within(0, 2), "Coulomb's coefficient between bird and target; acts through the springs: for target.contact = \"penalty\"", SLOT(friction), nullptr, &springs},
 
-    {"deflections.*.at", length, "mm", true, {}, "place on the target before the load; the displacement of the nearest node along the flight goes into histories.csv", POINT_SLOT(at), nullptr, &shells},
+    {"deflections.*.at", length, "mm", true, {}, "place on the target before the load; the displacement of the nearest node along x goes into histories.csv", POINT_SLOT(at), nullptr, &shells},
   };
 }
 #undef SLOT

@@ -10,6 +10,7 @@
 #include "cases/keys.h"
 #include "cases/log.h"
 #include "cases/output_folder.h"
+#include "cases/place_before.h"
 #include "cases/progress.h"
 #include "cases/series_histories.h"
 #include "cases/summary.h"

@@ -30,6 +30,16 @@ std::string_view unit_in_summary(std::string_view path)
         "stagnation_standing_shock", "plateau_mean"})
     if (name == pressure)
       return "Pa";
+  if (path.starts_with("target.")) {
+    if (name == "max_deflection" || name == "permanent_set" || name == "initial_gap" || name == "value")
+      return "m";
+    if (path.starts_with("target.energy."))
+      return "J";
+    if (name == "mass")
+      return "kg";
+    if (name.ends_with("elements") || name.ends_with("particles") || name.ends_with("over_internal"))
+      return "1";
+  }
   if (name.ends_with("over_momentum") || name.ends_with("error") || name.ends_with("ripple") ||
       name == "overshoot")
     return "1";

@@ -61,13 +61,14 @@ struct TargetCase
   int points = 5;                          //!< through the thickness
   double hourglass = 0.05, drilling = 0.1; //!< [-]
   bool warping = true;
-  double courant = 0.9;                     //!< [-]
-  double damping = 0;                       //!< [1/s]
-  double failed_share = 1;                  //!< [-]
-  double spin = 0;                          //!< [rad/s]
-  std::array<double, 3> spin_axis{1, 0, 0}; //!< direction [-]
-  std::array<double, 3> spin_centre{};      //!< a point of the axis [m]
+  double courant = 0.9;                                               //!< [-]
+  double damping = 0;                                                 //!< [1/s]
+  double failed_share = 1;                                            //!< [-]
+  double spin = 0;                                                    //!< [rad/s]
+  std::array<double, 3> spin_axis{not_given, not_given, not_given};   //!< direction [-]
+  std::array<double, 3> spin_centre{not_given, not_given, not_given}; //!< a point of the axis [m]
 
+  bool free = false; //!< nothing holds the target
   std::vector<TargetPartCase> parts;
   std::vector<SupportCase> supports;
 };

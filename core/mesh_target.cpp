@@ -3,6 +3,8 @@
 
 #include "core/error.h"
 
+#include <Eigen/Geometry>
+
 #include <limits>
 
 namespace birdstrike {
@@ -19,7 +21,7 @@ double modulus_across(const ShellMaterial& m)
 
 } // namespace
 
-MeshTarget::MeshTarget(Shells shells) : shells_(std::move(shells))
+MeshTarget::MeshTarget(Shells shells) : shells_(std::move(shells)), start_(shells_->position)
 {
   for (std::size_t e = 0; e < shells_->mesh().elements.size(); ++e)
     modulus_.push_back(modulus_across(shells_->section_of(e).material));
@@ -50,9 +52,21 @@ ContactSurface MeshTarget::surface() const
   return {rigid_, rigid_.points, rest_, mass_, thickness_, modulus_, gone_};
 }
 
-Vector3 MeshTarget::displacement(std::size_t node) const
+Vector3 MeshTarget::position(std::size_t node) const
 {
-  return shells_ ? Vector3(shells_->position[node] - shells_->mesh().points[node]) : Vector3(Vector3::Zero());
+  return shells_ ? shells_->position[node] : rigid_.points[node];
+}
+
+Vector3 MeshTarget::displacement(std::size_t node, double time) const
+{
+  if (!shells_)
+    return Vector3::Zero();
+  const std::optional<SteadySpin>& spin = shells_->settings().spin;
+  const double rate = spin ? spin->velocity.norm() : 0;
+  if (rate == 0)
+    return shells_->position[node] - start_[node];
+  const Eigen::AngleAxisd back(-rate * time, spin->velocity / rate);
+  return back * (shells_->position[node] - spin->centre) + spin->centre - start_[node];
 }
 
 double MeshTarget::area(std::size_t element) const

@@ -29,13 +29,17 @@ public:
 
   ElementLoads loads; //!< of the bird on the elements
 
-  //! Displacement of a node since the start [m].
-  Vector3 displacement(std::size_t node) const;
+  Vector3 position(std::size_t node) const; //!< now [m]
+
+  //! Displacement of a node since the start, seen by one who turns along with a steady spin [m].
+  //! \param time  since the start [s]
+  Vector3 displacement(std::size_t node, double time) const;
   double area(std::size_t element) const; //!< now [m2]
   bool is_gone(std::size_t element) const { return shells_ && shells_->gone[element]; }
 
 private:
   std::optional<Shells> shells_;
+  std::vector<Vector3> start_; // positions of the nodes of shells at the start, after any pre-stress
   ShellMesh rigid_;
   std::vector<Vector3> rest_;                      // velocities of a rigid body
   std::vector<double> mass_, thickness_, modulus_; // of a rigid body; the modulus of shells, too

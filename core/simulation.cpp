@@ -350,7 +350,7 @@ void Simulation::State::book()
       highest = std::max(highest, force[0] / plate->element_area());
   record(history, particles, ledger, time, step.size, highest);
   if (mesh)
-    record_target(history, *mesh, deflections, ledger, contact ? contact->leaked() : 0);
+    record_target(history, *mesh, deflections, ledger, contact ? contact->leaked() : 0, time);
   transducers.record(particles, rates, time);
 }
 

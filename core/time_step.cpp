@@ -84,10 +84,8 @@ TimeStep stable_time_step(const Particles& p, const Rates& r, const Settings& se
 
 double fit_to_frame(double size, double left)
 {
-  if (size >= left)
-    return left;
-  // Two even steps rather than a full one and a tiny rest.
-  return 2 * size > left ? 0.5 * left : size;
+  constexpr double rounding = 1e-9; // a whole number of steps is not one more
+  return left / std::max(1.0, std::ceil(left / size * (1 - rounding)));
 }
 
 void require_finite(const Particles& p, const Rates& r, double time)

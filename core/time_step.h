@@ -30,7 +30,9 @@ struct TimeStep
 TimeStep stable_time_step(const Particles& particles, const Rates& rates, const Settings& settings,
                           const std::vector<TimeStep>& others, const TimeStep& last, double time);
 
-//! The size [s] that lets a step's end fall on the end of the interval that is left.
+//! The size [s], not above \p size, of which a whole number fills the time that is left. One short step at the end of every
+//! interval would pump energy into the fastest vibrations of shells: steps that are stable one by one, but of changing
+//! length, are unstable together (R. D. Skeel, BIT 33 (1993) 172).
 double fit_to_frame(double size, double left);
 
 //! \throw RunError naming a particle whose state or rates are not finite, its part, place and time

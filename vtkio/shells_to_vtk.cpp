@@ -68,9 +68,9 @@ vtkSmartPointer<vtkUnstructuredGrid> mesh_target_to_vtk(const MeshTarget& target
   points->SetDataTypeToDouble();
   auto displacement = vectors("displacement", nodes);
   for (vtkIdType n = 0; n < nodes; ++n) {
-    const Vector3 moved = target.displacement(static_cast<std::size_t>(n));
-    points->InsertNextPoint(Vector3(mesh.points[static_cast<std::size_t>(n)] + moved).data());
-    displacement->SetTypedTuple(n, moved.data());
+    const auto node = static_cast<std::size_t>(n);
+    points->InsertNextPoint(target.position(node).data());
+    displacement->SetTypedTuple(n, target.displacement(node, time).data());
   }
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   grid->SetPoints(points);
@@ -101,9 +101,15 @@ vtkSmartPointer<vtkUnstructuredGrid> mesh_target_to_vtk(const MeshTarget& target
       hidden->InsertNextValue(gone ? vtkDataSetAttributes::HIDDENCELL : 0);
     grid->GetCellData()->AddArray(hidden);
   }
-  if (!target.shells()) // that of shells is a cell array
-    add_field_value(*grid->GetFieldData(), "thickness", mesh.parts.front().thickness);
-  add_field_value(*grid->GetFieldData(), "middle_surface", 1); // the points lie in the middle of the thickness
+  if (!target.shells()) { // shells have it among their fields
+    auto thickness = vtkSmartPointer<vtkDoubleArray>::New();
+    thickness->SetName("thickness");
+    for (const double of_element : target.surface().thickness)
+      thickness->InsertNextValue(of_element);
+    grid->GetCellData()->AddArray(thickness);
+  }
+  add_field_value(*grid->GetFieldData(), "middle_surface",
+                  1); // the points lie in the middle of the thickness
   add_field_value(*grid->GetFieldData(), "TimeValue", time);
   return grid;
 }

@@ -18,8 +18,9 @@ struct RigidPlate;
 vtkSmartPointer<vtkUnstructuredGrid> plate_to_vtk(const RigidPlate& plate, double time);
 
 //! One triangle or quad per element, in the order of the elements; the points are where the target is now. Point arrays
-//! "displacement" [m] and, where it is no rigid body, "velocity" [m/s]; cell arrays "part" and those of core/fields.h, and
-//! vtkGhostType, which hides eroded elements; field arrays as above.
+//! "displacement" [m] (MeshTarget::displacement) and, where it is no rigid body, "velocity" [m/s]; cell arrays "part" and those of core/fields.h, and
+//! vtkGhostType, which hides eroded elements; "thickness" [m] of rigid elements, too; field arrays "middle_surface" (1: the
+//! points lie in the middle of the thickness) and "TimeValue" [s].
 vtkSmartPointer<vtkUnstructuredGrid> mesh_target_to_vtk(const MeshTarget& target, double time);
 
 } // namespace birdstrike

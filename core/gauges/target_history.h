@@ -23,10 +23,11 @@ struct DeflectionGauge
 //! friction_energy, eroded_energy, external_work, support_impulse_{x,y,z}, eroded_elements, leaked_particles.
 void add_target_columns(History& history, const std::vector<DeflectionGauge>& points);
 
-//! Append the state of this moment. max_deflection is the length of the largest displacement of any node of an element
-//! that stands; deflection_<name> is the displacement along x, positive along the bird's flight.
+//! Append the state of time \p time [s]. max_deflection is the length of the largest displacement of any node of an element
+//! that stands, deflection_<name> the displacement along x, positive along the bird's flight: both as of
+//! MeshTarget::displacement.
 //! \param leaked  particles that have passed the target other than through a hole
 void record_target(History& history, const MeshTarget& target, const std::vector<DeflectionGauge>& points,
-                   const Ledger& ledger, long leaked);
+                   const Ledger& ledger, long leaked, double time);
 
 } // namespace birdstrike

@@ -3,9 +3,15 @@
 #include "scratch.h"
 
 #include "cases/case.h"
+#include "core/fields.h"
+#include "target_cases.h"
+#include "vtkio/series_reader.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+#include <vtkCellData.h>
+#include <vtkPointData.h>
+#include <vtkUnstructuredGrid.h>
 
 #include <cmath>
 #include <map>
@@ -174,6 +180,140 @@ TEST_CASE("a bird that misses the plate keeps its momentum and the run says so",
   const auto summary = nlohmann::json::parse(scratch::read(folder.path / "out/summary.json"));
   CHECK(summary.at("impulse") == 0);
   CHECK(summary.at("contact_time").is_null());
+}
+
+TEST_CASE("a target that bends leaves its frames, histories and numbers", "[cases][run][target]")
+{
+  const scratch::Folder folder;
+  folder.write("sheet.toml", "name = \"sheet\"\ndensity = \"2.7 g/cm3\"\nyoung = \"70 GPa\"\npoisson = 0.33\n"
+                             "[plasticity]\nlaw = \"linear\"\nyield = \"100 MPa\"\n"
+                             "[failure]\nlaw = \"plastic-strain\"\nlimit = 0.05\n");
+  folder.write("case.toml", target_cases::bird + std::string(target_cases::plate) +
+                                "rigid = false\nmaterial = \"sheet.toml\"\nfriction = 0.1\n"
+                                "[deflections.middle]\nat = [\"0 m\", \"0 m\", \"0 m\"]\n");
+  const Outcome outcome = program(folder.path, "run case.toml -o out --threads 1");
+  INFO(outcome.output);
+  REQUIRE(outcome.status == 0);
+  const fs::path out = folder.path / "out";
+  const auto summary = nlohmann::json::parse(scratch::read(out / "summary.json"));
+  const auto histories = read_csv(out / "histories.csv");
+
+  SECTION("frames have all fields")
+  {
+    const auto index = birdstrike::read_series_index(out / "run.pvd");
+    REQUIRE(index.steps.size() == 4);
+    const auto frame = birdstrike::read_frame(index, 3);
+    REQUIRE(frame.target);
+    CHECK(frame.target->GetNumberOfCells() == 24);
+    for (const auto& field : birdstrike::mesh_target_fields)
+      CHECK(frame.target->GetCellData()->HasArray(std::string(field.name).c_str()));
+    for (const auto& field : birdstrike::shell_fields)
+      CHECK(frame.target->GetCellData()->HasArray(std::string(field.name).c_str()));
+    for (const char* name : {"displacement", "velocity"})
+      CHECK(frame.target->GetPointData()->HasArray(name));
+    for (const char* name : {"target_deflection.png", "target_plastic_strain.png", "deflection.png"})
+      CHECK(fs::exists(out / "figures" / name));
+  }
+
+  SECTION("histories and summary agree, and the balances hold")
+  {
+    for (const auto& [title, column] : histories) {
+      INFO(title);
+      const std::size_t open = title.find('[');
+      CHECK((open != std::string::npos && open > 0 && title.ends_with("]") && title.size() > open + 2));
+      CHECK(column.size() == summary.at("steps").get<std::size_t>() + 1);
+    }
+    const auto& deflection = histories.at("max_deflection[m]");
+    const auto& target = summary.at("target");
+    const auto peak = std::max_element(deflection.begin(), deflection.end());
+    CHECK(*peak > 1e-4);
+    CHECK(target.at("max_deflection").get<double>() == *peak);
+    CHECK(target.at("max_deflection_time").get<double>() ==
+          histories.at("time[s]")[std::size_t(peak - deflection.begin())]);
+    CHECK(target.at("permanent_set").get<double>() <= *peak);
+    CHECK(target.at("mass").get<double>() == Approx(2700 * 0.2 * 0.3 * 0.002));
+    CHECK(target.at("leaked_particles") == 0);
+    CHECK(target.at("eroded_elements").get<double>() == histories.at("eroded_elements[-]").back());
+    CHECK(target.at("initial_gap").get<double>() ==
+          Approx(0.01).epsilon(1e-9)); // a sphere flies straight at a plate
+    CHECK(target.at("deflections").at("middle").at("value").get<double>() > 1e-4);
+    CHECK(target.at("deflections").at("middle").at("value").get<double>() <= *peak);
+    CHECK(target.at("energy").at("plastic").get<double>() == histories.at("plastic_energy[J]").back());
+    CHECK(target.at("hourglass_over_internal").get<double>() < 0.2);
+    CHECK(summary.at("energy").at("contact").at("friction").get<double>() >= 0);
+    CHECK(summary.at("energy").at("balance_error").get<double>() < 0.02);
+    CHECK(summary.at("impulse_error").get<double>() < 1e-9);
+    CHECK(summary.at("contact_time").get<double>() == Approx(0.01 / 120).epsilon(1e-12));
+    CHECK(summary.at("first_force_time").get<double>() == Approx(0.01 / 120).margin(5e-6));
+    CHECK(histories.at("support_impulse_x[N s]").back() < 0);
+    CHECK_THAT(outcome.output,
+               Catch::Contains("largest deflection") && Catch::Contains("support edges: 20 nodes, clamped"));
+  }
+
+  SECTION("the echo runs again to the same bytes, wherever it stands")
+  {
+    fs::create_directories(folder.path / "elsewhere");
+    fs::copy_file(out / "case.toml", folder.path / "elsewhere/case.toml");
+    const Outcome again =
+        program(folder.path, "run elsewhere/case.toml -o again --no-figures --threads 2 --quiet");
+    INFO(again.output);
+    REQUIRE(again.status == 0);
+    CHECK(scratch::read(out / "histories.csv") == scratch::read(folder.path / "again/histories.csv"));
+    CHECK(scratch::read(out / "frames/target_0003.vtu") ==
+          scratch::read(folder.path / "again/frames/target_0003.vtu"));
+    CHECK(scratch::read(out / "case.toml") == scratch::read(folder.path / "again/case.toml"));
+  }
+}
+
+TEST_CASE("every shape runs, rigid and not", "[cases][run][target]")
+{
+  const scratch::Folder folder;
+  folder.write("skin.obj",
+               "v 0 -0.1 -0.1\nv 0 0.1 -0.1\nv 0.02 0.1 0.1\nv 0.02 -0.1 0.1\nf 1 2 3\nf 1 3 4\n");
+  const std::string few = " --no-figures --threads 1 --quiet --set run.end='0.15 ms' --set run.frames=1";
+  const std::pair<std::string, std::string> shapes[] = {
+      {"windshield",
+       "windshield = { radius = \"0.5 m\", arc_width = \"0.3 m\", height = \"0.3 m\", elements_width = 6, "
+       "elements_height = 6 }\n"},
+      {"leading-edge", "leading_edge = { span = \"0.3 m\", elements_around = 12, elements_span = 8 }\n"},
+      {"blade", "blade = { elements_chord = 4, elements_span = 10, strips = 2, stagger = \"30 deg\", twist = "
+                "\"20 deg\" }\n"},
+      {"mesh", "mesh = { file = \"skin.obj\", thickness = \"3 mm\" }\n"}};
+  for (const auto& [shape, table] : shapes)
+    for (const bool rigid : {true, false}) {
+      INFO(shape << ", rigid " << rigid);
+      std::string target = target_cases::shape(shape, table);
+      if (!rigid)
+        target += "rigid = false\nmaterial = \"al-2024-t3\"\n";
+      if (!rigid && shape == "mesh")
+        target += "supports.rim = { nodes = \"boundary\", fix = \"simply-supported\", low = [\"-1 m\", \"-1 "
+                  "m\", \"-1 m\"], "
+                  "high = [\"1 m\", \"1 m\", \"-0.09 m\"] }\n";
+      folder.write("case.toml", target_cases::bird + target);
+      const Outcome outcome = program(folder.path, "run case.toml -o out" + few);
+      INFO(outcome.output);
+      REQUIRE(outcome.status == 0);
+      const auto summary = nlohmann::json::parse(scratch::read(folder.path / "out/summary.json"));
+      CHECK(summary.at("impulse").get<double>() > 0);
+      CHECK(summary.at("impulse_error").get<double>() < 1e-9);
+      CHECK(summary.at("target").at("leaked_particles") == 0);
+      CHECK((summary.at("target").at("max_deflection").get<double>() > 1e-6) == !rigid);
+      CHECK(summary.at("first_force_time").get<double>() == Approx(0.01 / 120).margin(2e-5));
+    }
+}
+
+TEST_CASE("a run into a target that is stopped leaves nothing that looks complete", "[cases][run][target]")
+{
+  const scratch::Folder folder;
+  folder.write("case.toml", target_cases::bird + target_cases::soft_plate());
+  scratch::killed_program(folder.path,
+                          "run case.toml -o out --threads 1 --set run.end='1 s' --set run.frames=10000",
+                          "out/frames/target_0002.vtu");
+  CHECK(fs::exists(folder.path / "out/frames/target_0000.vtu"));
+  CHECK_FALSE(fs::exists(folder.path / "out/summary.json"));
+  const auto index =
+      birdstrike::read_series_index(folder.path / "out/run.pvd"); // what there is can be opened
+  CHECK(birdstrike::read_frame(index, index.steps.size() - 1).target);
 }
 
 TEST_CASE("the main job as shipped", "[cases][run][long]")
