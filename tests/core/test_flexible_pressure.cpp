@@ -13,8 +13,8 @@ using namespace birdstrike;
 
 namespace {
 
-constexpr double spacing = 1e-3, side = 6 * spacing, speed = 20, gap = 0.2 * spacing;
-const Linear water{1000, 2.25e9}; // sound of 1500 m/s: at 20 m/s acoustics holds within a hundredth
+constexpr double spacing = 1e-3, side = 6 * spacing, speed = 100, gap = 0.1 * spacing;
+const Linear water{1000, 2.25e9}; // sound of 1500 m/s at any density
 
 enum class Kind
 {
@@ -104,36 +104,55 @@ Wave hit(Kind kind, double thickness, double density, double end, int layers)
 TEST_CASE("the pressure on a thin free plate falls as fast as the plate gets away",
           "[simulation][shells][contact][analytic]")
 {
-  // Water of impedance Z pushes m kg/m2 of plate: m dv/dt = Z (u - v), p = Z u exp(-t/tau), tau = m / Z. A shell has no
-  // waves across its thickness: that is the limit of a plate thin against the wave.
-  const double thickness = 10e-3, density = 2780;
-  const double impedance = water.rho0 * 1500, tau = density * thickness / impedance;
-  const double shock = hugoniot(water, speed).pressure;
-  const Wave wave = hit(Kind::shells, thickness, density, 2.5 * tau, 80);
+  // A plate of m kg/m2 runs away from shocked water, which follows along its isentrope: m dv/dt = p(v), dp/dv = -rho c,
+  // and with p = K (rho/rho0 - 1) and c = sqrt(K/rho0): p = K (x exp(-v/c) - 1), x that of the shock. For slow impacts
+  // that is p = P_H exp(-t/tau), tau = m / Z. A shell has no waves across its thickness: that is the limit of a plate
+  // thin against the wave, where equation 2.4 is that of a thick one.
+  const double thickness = 25e-3, density = 2780, areal = density * thickness, c = 1500;
+  const double tau = areal / (water.rho0 * c), end = 2 * tau;
+  const ShockState shock = hugoniot(water, speed);
+  const Wave wave = hit(Kind::shells, thickness, density, end, 160);
   CHECK(wave.energy_error < 0.005);
   CHECK(wave.momentum_error < 1e-12);
-  for (const double t : {0.5, 1.0, 1.5, 2.0, 2.5}) {
-    INFO("t over tau " << t << ", plate " << wave.speed_at(t * tau) << " m/s, exact "
-                       << speed * (1 - std::exp(-t)));
-    CHECK(wave.speed_at(t * tau) == Approx(speed * (1 - std::exp(-t))).margin(0.03 * speed));
-  }
-  for (const double t : {0.25, 0.75, 1.25, 1.75, 2.25}) {
-    const double exact = shock * (std::exp(-t + 0.25) - std::exp(-t - 0.25)) / 0.5;
-    INFO("t over tau " << t << ", mean pressure " << wave.mean((t - 0.25) * tau, (t + 0.25) * tau) / shock
-                       << " of the shock's, exact " << exact / shock);
-    CHECK(wave.mean((t - 0.25) * tau, (t + 0.25) * tau) == Approx(exact).margin(0.05 * shock));
+
+  const int steps = 20000;
+  double v = 0, mean = 0;
+  for (int k = 0, window = 0; k < steps; ++k) {
+    const double p = water.K * (shock.density / water.rho0 * std::exp(-v / c) - 1);
+    v += p / areal * end / steps;
+    mean += p / (steps / 8.0);
+    if ((k + 1) % (steps / 8))
+      continue;
+    const double to = (k + 1) * end / steps, from = to - end / 8;
+    INFO("from " << from / tau << " to " << to / tau << " tau: pressure "
+                 << wave.mean(from, to) / shock.pressure << " of the shock's, exact " << mean / shock.pressure
+                 << "; plate at " << wave.speed_at(to) / speed << " of the bird's speed, exact "
+                 << v / speed);
+    // The first layer at springs has half of its neighbours and first has to be compacted: the shock is complete after
+    // a flight of some two spacings.
+    if (window++ >= 2)
+      CHECK(wave.mean(from, to) == Approx(mean).margin(0.08 * shock.pressure));
+    CHECK(wave.speed_at(to) == Approx(v).margin(0.06 * speed));
+    mean = 0;
   }
 }
 
 TEST_CASE("rigid springs, the rigid mirror and a very heavy plate feel the same shock",
           "[simulation][shells][contact][analytic]")
 {
-  const double end = 30e-6, shock = hugoniot(water, speed).pressure;
+  // Springs later: see above.
+  const double end = 50e-6, shock = hugoniot(water, speed).pressure;
   for (const Kind kind : {Kind::mirror, Kind::penalty, Kind::shells}) {
-    const Wave wave = hit(kind, 10e-3, 1e8, end, 60); // tau is 0.7 s
-    INFO("kind " << static_cast<int>(kind) << ": " << wave.mean(10e-6, end) / shock << " of the shock's");
-    CHECK(wave.mean(10e-6, end) == Approx(shock).epsilon(0.02));
-    CHECK(wave.energy_error < 0.005);
+    const Wave wave = hit(kind, 10e-3, 1e8, end, 90); // tau is 0.7 s
+    const double settled = 2 * spacing / speed;
+    INFO("kind " << static_cast<int>(kind) << ": " << wave.mean(settled, end) / shock
+                 << " of the shock's, before " << wave.mean(0.25 * settled, settled) / shock);
+    CHECK(wave.mean(settled, end) == Approx(shock).epsilon(0.01));
+    if (kind == Kind::mirror)
+      CHECK(wave.mean(0.25 * settled, settled) == Approx(shock).epsilon(0.03));
+    else
+      CHECK(wave.mean(0.25 * settled, settled) > 0.75 * shock);
+    CHECK(wave.energy_error < 0.01);
   }
 }
 
