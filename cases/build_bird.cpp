@@ -182,6 +182,8 @@ BuiltBird finish_bird(const Case& parsed, const Fill& fill, const std::string& p
     rotate(seeds, {.pitch = wish.impact_angle - 0.5 * std::numbers::pi});
   move_in_front(seeds, wish.gap + 0.5 * wish.spacing); // the foremost particle's face, not its middle
   aim_at_centre(seeds, parts, direction);
+  for (Seed& seed : seeds)
+    seed.position += Vector3(0, wish.offset[0], wish.offset[1]);
   bird.particles =
       make_particles(parts, seeds, wish.spacing, wish.velocity * direction, wish.smoothing, fill.lattice);
   if (!is_column(parsed))
@@ -278,7 +280,8 @@ BuiltBird build_bird(const Case& parsed, Log& log)
   const bool along_axis = wish.yaw == 0 && wish.pitch == 0;
   if (along_axis)
     bird.flight.length = size.length;
-  if (wish.shape == "cylinder" && along_axis && bird.flight.direction == Vector3::UnitX())
+  if (wish.shape == "cylinder" && along_axis && bird.flight.direction == Vector3::UnitX() &&
+      wish.offset == std::array<double, 2>{}) // the distance to the rim is that from the axis
     bird.flight.flat_radius = 0.5 * size.diameter;
   log.info(fmt::format("{}: {:.2f} mm diameter, {:.2f} mm long", wish.shape, 1e3 * size.diameter,
                        1e3 * size.length));

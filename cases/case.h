@@ -37,6 +37,7 @@ struct BirdCase
   double length_over_diameter = 2;              //!< of a shape [-]
   int columns = 6;                              //!< of a column: cells sideways, each way
   double impact_angle = 0.5 * std::numbers::pi; //!< between flight path and plate [rad]
+  std::array<double, 2> offset{};               //!< y and z where its path meets the plane x = 0 [m]
   double yaw = 0;                               //!< turns the nose to the bird's left, about +z [rad]
   double pitch = 0;                             //!< turns the nose up [rad]
   double roll = 0;                              //!< turns the left wing up, about the flight axis [rad]

@@ -66,6 +66,7 @@ std::vector<Key> rows_before_target()
     {"bird.velocity", velocity, "m/s", true, above(0), "speed of flight", SLOT(bird.velocity)},
     {"bird.impact_angle", angle, "deg", false, within(10 * degree * (1 - 1e-12), 90 * degree * (1 + 1e-12)), "between flight path and plate: below 90 deg the bird descends along its own axis towards the middle of the plate", SLOT(bird.impact_angle), nullptr, &no_column},
     {"bird.gap", length, "mm", false, at_least(0), "distance between bird and target at the start: across a plate, along the flight before any other target", SLOT(bird.gap)},
+    {"bird.offset", length, "mm", false, {}, "sideways and upwards: where the bird's path meets the plane x = 0, from the aim point", SLOT(bird.offset), nullptr, &no_column},
     {"bird.smoothing", number, "", false, within(0.8, 3), "smoothing length over spacing", SLOT(bird.smoothing)},
     {"bird.yaw", angle, "deg", false, {}, "turns the nose to the bird's left, about the vertical axis", SLOT(bird.yaw), nullptr, &no_column},
     {"bird.pitch", angle, "deg", false, {}, "turns the nose up", SLOT(bird.pitch), nullptr, &no_column},

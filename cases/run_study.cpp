@@ -5,6 +5,7 @@
 #include "cases/log.h"
 #include "cases/run_case.h"
 #include "cases/study_figures.h"
+#include "cases/study_histories.h"
 #include "cases/study_results.h"
 #include "core/error.h"
 #include "vtkio/atomic_file.h"
@@ -97,7 +98,12 @@ std::string make_run(const StudyRun& run, const StudyOptions& options, const fs:
 void draw(const Study& study, const std::vector<StudyRun>& runs, const std::vector<RunResult>& results,
           const fs::path& folder, Log& log)
 {
-  for (const fs::path& file : write_study_figures(figures_of_study(study, runs, results), folder / "figures"))
+  std::vector<StudyFigure> figures = figures_of_study(study, runs, results);
+  for (const StudyPlot& plot : study.plots)
+    if (!plot.history.empty())
+      if (Plot picture = plot_of_histories(plot, runs, results, folder); !picture.series.empty())
+        figures.push_back({plot.file, std::move(picture)});
+  for (const fs::path& file : write_study_figures(figures, folder / "figures"))
     log.info(fmt::format("drawn {}", file.string()));
 }
 

@@ -49,6 +49,7 @@ struct StudyPlot
   std::string x_title, y_title;       //!< without unit
   std::string y_unit;                 //!< of all numbers of this plot
   std::vector<std::size_t> y, theory; //!< rows of Study::collect
+  std::string history;                //!< column of histories.csv to show over time, in place of x and y
   std::optional<std::size_t> x_sweep,
       split_by;          //!< rows of Study::sweeps; one picture for each value of split_by
   std::string series_by; //!< key of x_sweep; runs with the same value of it are a series, empty: all of them

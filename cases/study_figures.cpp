@@ -309,6 +309,8 @@ std::vector<StudyFigure> figures_of_study(const Study& study, const std::vector<
       figures.push_back({file, plot});
   };
   for (const StudyPlot& plot : study.plots) {
+    if (!plot.history.empty())
+      continue; // of run_study: it knows where the runs are
     if (!plot.split_by) {
       add(plot.file, Picture(study, plot, runs, results, {}).draw());
       continue;

@@ -20,7 +20,7 @@ struct StudyFigure
 
 //! The pictures of a study's plots: marks and lines for y, one series for each combination of the sweeps that are
 //! neither along x nor split by; dashed or dotted curves without marks for theory, one where the combinations agree;
-//! open circles for references. Runs that are not complete leave gaps; a picture without any value is left out.
+//! open circles for references. Plots of histories are left out (study_histories.h). Runs that are not complete leave gaps; a picture without any value is left out.
 std::vector<StudyFigure> figures_of_study(const Study& study, const std::vector<StudyRun>& runs,
                                           const std::vector<RunResult>& results);
 

@@ -62,6 +62,25 @@ std::size_t sweep_of(const std::string& key, const Study& study, const StrictTab
                   table.place("x"), key));
 }
 
+//! The rest of a plot over time.
+StudyPlot read_history_plot(StudyPlot plot, StrictTable& table, const Study& study)
+{
+  plot.title = table.text("title");
+  plot.y_title = table.text("y_title");
+  plot.y_unit = table.needed("y_unit", "a unit to show the history in, for example \"mm\",");
+  table.finish();
+  try {
+    same_kind(plot.y_unit, "1");
+  } catch (const InputError& error) {
+    table.fail("y_unit", error.what());
+  }
+  if (plot.title.empty())
+    plot.title = study.title;
+  if (plot.y_title.empty())
+    plot.y_title = plot.history;
+  return plot;
+}
+
 } // namespace
 
 StudyPlot read_plot(StrictTable table, const Study& study)
@@ -71,7 +90,10 @@ StudyPlot read_plot(StrictTable table, const Study& study)
   if (fs::path(plot.file).extension() != ".png" || plot.file.find('/') != std::string::npos)
     table.fail("file", "a name that ends in .png is needed, without a folder");
   plot.title = table.text("title");
-  plot.x = table.needed("x", "a swept key");
+  plot.history = table.text("history");
+  if (!plot.history.empty())
+    return read_history_plot(std::move(plot), table, study);
+  plot.x = table.needed("x", "a swept key, or history, a column of histories.csv,");
   plot.x_unit = table.text("x_unit");
   plot.x_title = table.text("x_title");
   plot.y_title = table.text("y_title");

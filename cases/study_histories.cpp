@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Plots of a study over time: a column of every run's histories.csv.
+#include "cases/study_histories.h"
+
+#include "cases/quantity.h"
+#include "core/error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+namespace fs = std::filesystem;
+
+namespace birdstrike {
+namespace {
+
+std::vector<std::string> split(const std::string& line)
+{
+  std::vector<std::string> cells;
+  std::istringstream text(line);
+  for (std::string cell; std::getline(text, cell, ',');)
+    cells.push_back(cell);
+  return cells;
+}
+
+} // namespace
+
+HistoryColumn read_history_column(const fs::path& csv, const std::string& column)
+{
+  std::ifstream in(csv);
+  std::string line;
+  if (!in || !std::getline(in, line))
+    throw OutputError(fmt::format("{} cannot be read; run the study again", csv.string()));
+  std::vector<std::string> names = split(line);
+  HistoryColumn result;
+  std::size_t wanted = 0;
+  for (std::size_t k = names.size(); k-- > 0;) {
+    const std::size_t bracket = std::min(names[k].size(), names[k].find('['));
+    const std::string unit = names[k].substr(bracket);
+    names[k].resize(bracket);
+    if (names[k] == column) {
+      wanted = k;
+      result.unit = unit.size() > 2 ? unit.substr(1, unit.size() - 2) : "-";
+    }
+  }
+  if (wanted == 0)
+    throw OutputError(fmt::format("{} has no column \"{}\"; it has {}", csv.string(), column,
+                                  fmt::join(names.begin() + 1, names.end(), ", ")));
+  while (std::getline(in, line)) {
+    const std::vector<std::string> cells = split(line);
+    if (cells.size() <= wanted)
+      throw OutputError(fmt::format("{}: row {} is cut off; delete this run's folder and run the study again",
+                                    csv.string(), result.time.size() + 2));
+    result.time.push_back(std::strtod(cells[0].c_str(), nullptr));
+    result.values.push_back(std::strtod(cells[wanted].c_str(), nullptr));
+  }
+  return result;
+}
+
+Plot plot_of_histories(const StudyPlot& plot, const std::vector<StudyRun>& runs,
+                       const std::vector<RunResult>& results, const fs::path& folder)
+{
+  constexpr std::size_t most = 2000; // rows a line: more than the picture has pixels
+  Plot picture;
+  picture.title = plot.title;
+  picture.x_label = "time [ms]";
+  picture.y_label = plot.y_unit == "1" ? plot.y_title : fmt::format("{} [{}]", plot.y_title, plot.y_unit);
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    if (results[k].status != RunStatus::complete)
+      continue;
+    const HistoryColumn column =
+        read_history_column(folder / "runs" / runs[k].slug / "histories.csv", plot.history);
+    if (!same_kind(plot.y_unit, column.unit == "-" ? "1" : column.unit))
+      throw OutputError(fmt::format("{}: the history {} is in {}, which {} does not measure; give another "
+                                    "y_unit",
+                                    plot.file, plot.history, column.unit, plot.y_unit));
+    PlotSeries line;
+    line.name = runs[k].label;
+    const std::size_t stride = 1 + column.time.size() / most;
+    for (std::size_t row = 0; row < column.time.size(); row += stride) {
+      line.x.push_back(1e3 * column.time[row]);
+      line.y.push_back(from_si(column.values[row], plot.y_unit));
+    }
+    picture.series.push_back(std::move(line));
+  }
+  return picture;
+}
+
+} // namespace birdstrike
