@@ -41,6 +41,7 @@ std::vector<Key> target_keys()
   return {
     {"target.shape", number, "", false, {}, "what the bird meets; the aim point is the origin, the bird flies along +x, +z is up", SLOT(shape), target_shapes, &no_column},
     {"target.rigid", number, "", false, {}, "true: the target does not move; false: it bends, yields and, if its material can, breaks", SLOT(rigid), nullptr, &no_column},
+
     {"target.plate.size", length, "m", true, above(0), "edge lengths of the plate, sideways and upwards", SLOT(size), nullptr, &plate},
     {"target.plate.thickness", length, "mm", true, above(0), "thickness of the plate", SLOT(thickness), nullptr, &plate},
     {"target.plate.elements", number, "", true, within(1, 2000), "number of elements, sideways and upwards", SLOT(elements), nullptr, &plate},
@@ -86,8 +87,6 @@ std::vector<Key> target_keys()
 
     {"target.material", number, "", false, {}, "a name of share/materials, or a file beside the case; needed where a part has none of its own", SLOT(material), nullptr, &shells},
     {"target.failure", number, "", false, {}, "whether elements erode by the failure law of their material", SLOT(failure), nullptr, &shells},
-    {"target.parts.*.thickness", length, "mm", false, above(0), "thickness of the part, in place of that of the shape or the mesh", PART_SLOT(thickness), nullptr, &meshed},
-    {"target.parts.*.material", number, "", false, {}, "material of the part, in place of target.material", PART_SLOT(material), nullptr, &shells},
     {"target.points", number, "", false, within(2, 10), "integration points through the thickness", SLOT(points), nullptr, &shells},
     {"target.failed_share", number, "", false, above_within(0, 1), "of an element's points; it erodes when so many have failed", SLOT(failed_share), nullptr, &shells},
     {"target.hourglass", number, "", false, within(0, 1), "coefficient of hourglass stiffness", SLOT(hourglass), nullptr, &shells},
@@ -99,14 +98,17 @@ std::vector<Key> target_keys()
     {"target.spin_axis", number, "", true, {}, "direction of the axis, right-handed", SLOT(spin_axis), nullptr, &spinning},
     {"target.spin_centre", length, "m", true, {}, "a point of the axis", SLOT(spin_centre), nullptr, &spinning},
     {"target.free", number, "", false, {}, "true: nothing holds the target; else, where no supports are given, a plate and a windshield are clamped at their edges, a leading edge at spar and ribs, a blade at its root", SLOT(free), nullptr, &shells},
+    {"target.contact", number, "", false, {}, "mirror: the surface is the mirror of the flow in front of it, and springs stop who comes too near all the same; penalty: springs alone, as other codes have them", SLOT(contact), contact_kinds, &no_column},
+    {"target.contact_stiffness", number, "", false, above(0), "factor on the stiffness of the springs, which is derived from bulk modulus, spacing and thickness", SLOT(contact_stiffness), nullptr, &no_column},
+    {"target.friction", number, "", false, within(0, 2), "Coulomb's coefficient between bird and target; acts through the springs: for target.contact = \"penalty\"", SLOT(friction), nullptr, &springs},
+
+    // Tables with names stand last: TOML does not let a table be opened again.
+    {"target.parts.*.thickness", length, "mm", false, above(0), "thickness of the part, in place of that of the shape or the mesh", PART_SLOT(thickness), nullptr, &meshed},
+    {"target.parts.*.material", number, "", false, {}, "material of the part, in place of target.material", PART_SLOT(material), nullptr, &shells},
     {"target.supports.*.nodes", number, "", false, {}, "a node set of the target (plate, windshield, blade: edges, top or tip, bottom or root, left, right; leading edge: spar, ribs, nose; a mesh has its own), boundary for the free edges, or all; within the box if there is one", SUPPORT_SLOT(nodes), nullptr, &shells},
     {"target.supports.*.low", length, "mm", false, {}, "corner of a box, with the least x, y and z; its nodes are held", SUPPORT_SLOT(low), nullptr, &shells},
     {"target.supports.*.high", length, "mm", false, {}, "opposite corner, with the largest", SUPPORT_SLOT(high), nullptr, &shells},
     {"target.supports.*.fix", number, "", false, {}, "clamped, simply-supported, symmetry-x, -y, -z, or the held components, for example \"x z ry\"", SUPPORT_SLOT(fix), nullptr, &shells},
-
-    {"target.contact", number, "", false, {}, "mirror: the surface is the mirror of the flow in front of it, and springs stop who comes too near all the same; penalty: springs alone, as other codes have them", SLOT(contact), contact_kinds, &no_column},
-    {"target.contact_stiffness", number, "", false, above(0), "factor on the stiffness of the springs, which is derived from bulk modulus, spacing and thickness", SLOT(contact_stiffness), nullptr, &no_column},
-    {"target.friction", number, "", false, within(0, 2), "Coulomb's coefficient between bird and target; acts through the springs: for target.contact = \"penalty\"", SLOT(friction), nullptr, &springs},
 
     {"deflections.*.at", length, "mm", true, {}, "place on the target before the load; the displacement of the nearest node along x goes into histories.csv", POINT_SLOT(at), nullptr, &shells},
   };

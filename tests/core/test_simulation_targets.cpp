@@ -125,33 +125,31 @@ TEST_CASE("bird, target and supports together keep momentum to rounding",
 TEST_CASE("the energy balance of an impact is small, and smaller with smaller steps",
           "[simulation][targets][conservation]")
 {
-  for (const Plate& wish : {Plate{}, Plate{.yield = 100e6}}) {
-    const auto error = [&](double courant) {
-      const Simulation s = run(bird(), {plate(wish), {}}, 0.15e-3, courant);
-      double worst = 0;
-      const Ledger& l = s.ledger();
-      worst = std::max(worst, l.balance_error());
-      CHECK(l.target.total() > 0.01 * l.initial_energy); // the target has taken its share
-      return worst;
-    };
-    const double coarse = error(0.5), fine = error(0.125);
-    INFO("yield " << wish.yield << ": " << coarse << ", " << fine);
-    CHECK(coarse < 0.01);
-    CHECK(fine < 0.5 * coarse + 1e-5);
-  }
+  const auto error = [&](const Plate& wish, double courant) {
+    const Simulation s = run(bird(), {plate(wish), {}}, 0.15e-3, courant);
+    CHECK(s.ledger().target.total() > 0.01 * s.ledger().initial_energy); // the target has taken its share
+    return s.ledger().balance_error();
+  };
+  // The springs of contact are followed to second order in the step.
+  const double coarse = error({}, 0.5), fine = error({}, 0.125);
+  INFO("errors " << coarse << ", " << fine);
+  CHECK(coarse < 0.02);
+  CHECK(fine < 0.2 * coarse);
+  // An element that thins lets go of the particles that rest on it without asking for the energy of their springs.
+  CHECK(error({.yield = 100e6}, 0.125) < 0.005);
 }
 
 TEST_CASE("friction, damping and erosion take energy that is booked", "[simulation][targets][conservation]")
 {
   const Simulation s =
       run(bird(1e-3, {150, 80, 0}),
-          {plate({.yield = 100e6, .limit = 0.02, .damping = 500}), {.friction = 0.3}}, 0.2e-3);
+          {plate({.yield = 100e6, .limit = 0.02, .damping = 500}), {.friction = 0.3}}, 0.2e-3, 0.2);
   const Ledger& l = s.ledger();
   CHECK(l.friction > 0);
   CHECK(l.target.damped > 0);
   CHECK(l.target.eroded > 0);
   CHECK(l.target.plastic > 0);
-  CHECK(l.balance_error() < 0.01);
+  CHECK(l.balance_error() < 0.006);
 }
 
 TEST_CASE("an impact on a structure gives the same bits with one thread and with two",
@@ -173,19 +171,23 @@ TEST_CASE("an impact on a structure gives the same bits with one thread and with
 
 TEST_CASE("springs on a rigid plate stop a bird as its mirror does", "[simulation][targets]")
 {
-  const double end = 0.35e-3;
-  const Simulation springs = run(bird(), {MeshTarget(plate_mesh(8, 0.2)), {}}, end);
-  Particles same = bird();
-  for (double& x : same.x)
-    x += 0.5 * thickness; // from the middle surface to the face
-  const Simulation mirror = run(std::move(same), make_rigid_plate(0.2, 0.2, thickness, 8, 8), end);
+  constexpr double fine = 2.5e-3, gap = 1e-3, end = 0.35e-3;
+  const auto drop = [](double face) { // starts gap before a plate whose face is there
+    Particles p = samples::block(16, 9, 9, fine, 0.1, {150, 0, 0});
+    for (double& x : p.x)
+      x += face - gap;
+    return p;
+  };
+  const Simulation springs = run(drop(-0.5 * thickness), {MeshTarget(plate_mesh(8, 0.3)), {}}, end, 0.25);
+  const Simulation mirror = run(drop(0), make_rigid_plate(0.3, 0.3, thickness, 8, 8), end, 0.25);
   INFO("springs " << springs.ledger().impulse[0] << ", mirror " << mirror.ledger().impulse[0] << " of "
                   << mirror.ledger().initial_momentum[0]);
-  CHECK(springs.ledger().impulse[0] > 0.9 * springs.ledger().initial_momentum[0]);
+  CHECK(mirror.ledger().impulse[0] > 0.9 * mirror.ledger().initial_momentum[0]);
   CHECK(springs.ledger().impulse[0] == Approx(mirror.ledger().impulse[0]).epsilon(0.05));
   CHECK(springs.ledger().balance_error() < 0.01);
-  CHECK(*springs.first_contact() == Approx(1e-3 / 150).margin(2e-6));
+  CHECK(*springs.first_contact() == Approx(gap / 150).margin(2e-6));
   CHECK(last(springs, "max_deflection") == 0);
+  CHECK(springs.mesh_target()->shells() == nullptr);
 }
 
 TEST_CASE("a plate of huge stiffness and mass is as good as rigid", "[simulation][targets]")
@@ -226,6 +228,31 @@ TEST_CASE("first contact is when the first particle comes within reach", "[simul
       CHECK(value(s, "max_deflection", row) == 0);
   }
   CHECK_FALSE(run(bird(0.1), {plate(), {}}, 0.05e-3).first_contact());
+}
+
+TEST_CASE("frames do not shake a structure: the steps between two of them have one length",
+          "[simulation][targets][conservation]")
+{
+  // One shorter step before every frame would pump energy into the fastest vibrations until the plate breaks down.
+  MeshTarget target = plate({}, 16);
+  for (std::size_t n = 0; n < target.mesh().points.size(); ++n) {
+    const Vector3 p = target.mesh().points[n] / 0.04;
+    target.shells()->velocity[n][0] = 20 * (1 - p[1] * p[1]) * (1 - p[2] * p[2]); // the rim is held
+  }
+  Settings settings = samples::settings_to(1e-3);
+  settings.frames = 160;
+  settings.threads = 1;
+  Simulation s({}, {std::move(target), {}}, settings);
+  Observer nobody;
+  s.run(nobody);
+  CHECK(s.ledger().initial_energy > 1);
+  CHECK(s.ledger().balance_error() < 0.01);
+  double shortest = 1, longest = 0;
+  for (std::size_t row = 1; row < s.history().rows(); ++row) {
+    shortest = std::min(shortest, value(s, "time_step", row));
+    longest = std::max(longest, value(s, "time_step", row));
+  }
+  CHECK(shortest > 0.75 * longest);
 }
 
 TEST_CASE("a structure alone moves under its loads", "[simulation][targets]")
