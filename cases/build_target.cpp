@@ -6,6 +6,7 @@
 #include "cases/log.h"
 #include "cases/material_file.h"
 #include "cases/read_target.h"
+#include "cases/share_folder.h"
 #include "core/error.h"
 #include "geometry/targets/flat_plate.h"
 #include "geometry/targets/pick_nodes.h"
@@ -70,7 +71,11 @@ ShellMesh raw_mesh(const Case& parsed, Log& log)
       return make_flat_plate({t.size[0], t.size[1], t.thickness, t.elements[0], t.elements[1],
                               t.refinement[0], t.refinement[1]});
     });
-  const std::filesystem::path file = parsed.file.parent_path() / t.mesh; // an absolute path stays one
+  std::error_code ignored;
+  std::filesystem::path file = parsed.file.parent_path() / t.mesh; // an absolute path stays one
+  if (!std::filesystem::exists(file, ignored))
+    if (const auto shared = share_folder() / "meshes" / t.mesh; std::filesystem::exists(shared, ignored))
+      file = shared;
   ShellImport read = at(parsed, "mesh.file", [&] { return read_target(file, t.mesh_unit); });
   for (const std::string& warning : read.warnings)
     log.warn(fmt::format("{}: {}", file.string(), warning));

@@ -83,11 +83,14 @@ double largest_on_target(const std::vector<Frame>& frames, const char* name)
   return largest;
 }
 
-//! The target by deflection and by plastic strain, from above and behind, where it has any.
-std::vector<fs::path> write_target_pictures(const std::vector<Frame>& frames, const Bounds& bounds,
-                                            const fs::path& folder, const std::string& title)
+//! The target by deflection and by plastic strain, where it has any; without the bird, which would hide them.
+std::vector<fs::path> write_target_pictures(const std::vector<Frame>& frames, const fs::path& folder,
+                                            const std::string& title)
 {
   std::vector<fs::path> files;
+  std::vector<Frame> alone = frames;
+  for (Frame& frame : alone)
+    frame.bird = nullptr;
   for (const auto& [field, name] : {std::pair("displacement", "target_deflection.png"),
                                     std::pair("plastic_strain", "target_plastic_strain.png")})
   {
@@ -96,14 +99,21 @@ std::vector<fs::path> write_target_pictures(const std::vector<Frame>& frames, co
       continue;
     MontageOptions montage;
     montage.snapshot.view = View::isometric;
-    montage.snapshot.cut = true; // the bird would hide what it does
     montage.snapshot.title = fitting_title(title);
     montage.snapshot.target_field = field;
     montage.snapshot.target_range = {0, largest};
     files.push_back(folder / name);
-    write_montage(frames, bounds, montage, files.back());
+    write_montage(alone, bounds_of(alone), montage, files.back());
   }
   return files;
+}
+
+//! Is a fair share of the bird on either side of y = 0?
+bool is_halved(vtkUnstructuredGrid& bird)
+{
+  double bounds[6];
+  bird.GetBounds(bounds);
+  return -bounds[2] > 0.2 * (bounds[3] - bounds[2]) && bounds[3] > 0.2 * (bounds[3] - bounds[2]);
 }
 
 std::string to_text(const Colour& colour)
@@ -142,7 +152,8 @@ std::vector<fs::path> write_pictures(const fs::path& pvd, const fs::path& folder
   by_part.title = by_pressure.title = fitting_title(title);
   by_pressure.colour_by = "pressure";
   by_part.view = by_pressure.view = view;
-  by_pressure.cut = view == View::side; // the load is inside
+  // The load is inside, and so are some parts; but a bird that flies past y = 0 would be cut away whole.
+  by_part.cut = by_pressure.cut = view == View::side && is_halved(*frames.front().bird);
   by_pressure.range = pressure_range(frames);
 
   std::vector<fs::path> files;
@@ -168,7 +179,7 @@ std::vector<fs::path> write_pictures(const fs::path& pvd, const fs::path& folder
     overview.snapshot.title = fitting_title(title);
     files.push_back(folder / "overview.png");
     write_montage(frames, bounds, overview, files.back());
-    for (const fs::path& file : write_target_pictures(frames, bounds, folder, title))
+    for (const fs::path& file : write_target_pictures(frames, folder, title))
       files.push_back(file);
   }
   return files;

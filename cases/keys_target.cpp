@@ -81,7 +81,7 @@ std::vector<Key> target_keys()
     {"target.blade.elements_span", number, "", false, within(1, 2000), "along the blade", SLOT(blade.elements_span), nullptr, &blade},
     {"target.blade.strips", number, "", false, within(1, 200), "parts of constant thickness along the span", SLOT(blade.strips), nullptr, &blade},
 
-    {"target.mesh.file", number, "", true, {}, "shell mesh, a path beside the case: .msh, .inp, .bdf, .k, .vtu, .vtk, .vtp, .stl, .obj, .ply; placed so that the aim point is its origin", SLOT(mesh), nullptr, &file},
+    {"target.mesh.file", number, "", true, {}, "shell mesh, a path beside the case, or a file of share/meshes: .msh, .inp, .bdf, .k, .vtu, .vtk, .vtp, .stl, .obj, .ply; placed so that the aim point is its origin", SLOT(mesh), nullptr, &file},
     {"target.mesh.unit", length, "m", false, above(0), "length of one unit of the mesh file", SLOT(mesh_unit), nullptr, &file},
     {"target.mesh.thickness", length, "mm", false, above(0), "of the parts to which the file gives none", SLOT(mesh_thickness), nullptr, &file},
 

@@ -204,8 +204,12 @@ void run_case(const Case& parsed, const RunOptions& options, Log& log)
   settings.threads = options.threads;
   BuiltTarget target = build_target(parsed, log);
   std::vector<std::string> warnings;
-  if (target.target.mesh)
-    warnings = place_before(parsed, target.target.mesh->mesh(), bird.particles, bird.flight);
+  if (target.target.mesh) {
+    ShellMesh now = target.target.mesh->mesh();
+    if (const Shells* shells = target.target.mesh->shells())
+      now.points = shells->position; // a spin has moved them
+    warnings = place_before(parsed, now, bird.particles, bird.flight);
+  }
   for (const std::string& warning :
        flight_warnings(bird.particles, target.target.plate ? &*target.target.plate : nullptr, settings))
     warnings.push_back(warning);

@@ -26,6 +26,19 @@ std::vector<std::string> split(const std::string& line)
   return cells;
 }
 
+//! Of transducers.csv where histories.csv has no such column.
+HistoryColumn find_history(const fs::path& run, const std::string& column)
+{
+  std::error_code ignored;
+  try {
+    return read_history_column(run / "histories.csv", column);
+  } catch (const OutputError&) {
+    if (!fs::exists(run / "transducers.csv", ignored))
+      throw;
+    return read_history_column(run / "transducers.csv", column);
+  }
+}
+
 } // namespace
 
 HistoryColumn read_history_column(const fs::path& csv, const std::string& column)
@@ -71,8 +84,7 @@ Plot plot_of_histories(const StudyPlot& plot, const std::vector<StudyRun>& runs,
   for (std::size_t k = 0; k < runs.size(); ++k) {
     if (results[k].status != RunStatus::complete)
       continue;
-    const HistoryColumn column =
-        read_history_column(folder / "runs" / runs[k].slug / "histories.csv", plot.history);
+    const HistoryColumn column = find_history(folder / "runs" / runs[k].slug, plot.history);
     if (!same_kind(plot.y_unit, column.unit == "-" ? "1" : column.unit))
       throw OutputError(fmt::format("{}: the history {} is in {}, which {} does not measure; give another "
                                     "y_unit",

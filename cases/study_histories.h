@@ -22,7 +22,7 @@ struct HistoryColumn
 //! \throw OutputError naming the file and what it lacks
 HistoryColumn read_history_column(const std::filesystem::path& csv, const std::string& column);
 
-//! One line for each complete run, against the time in milliseconds, rows thinned to some 2000.
+//! A column of histories.csv or transducers.csv: one line for each complete run, against the time in milliseconds, rows thinned to some 2000.
 //! \param plot    with a history and the unit to show it in
 //! \param folder  of the study; the runs stand below folder/runs
 //! \throw OutputError as read_history_column, or where the unit does not measure the column
