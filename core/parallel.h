@@ -8,11 +8,11 @@
 
 namespace birdstrike {
 
-//! f(i) for 0 <= i < n; each i is independent of the others.
+//! f(i) for 0 <= i < n; each i is independent of the others. Few rows are not worth waking other threads.
 template <class Function>
 void for_each_row(std::size_t n, const Function& f)
 {
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (n > 1000)
   for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(n); ++i)
     f(static_cast<std::size_t>(i));
 }

@@ -534,7 +534,7 @@ void Shells::evaluate_element(std::size_t e, double dt)
 void Shells::evaluate(double dt, double time)
 {
   // Plastic elements cost more than others and lie close together: small portions, whoever is free takes the next.
-#pragma omp parallel for schedule(dynamic, 64)
+#pragma omp parallel for schedule(dynamic, 64) if (elements_.size() > 500)
   for (std::ptrdiff_t e = 0; e < static_cast<std::ptrdiff_t>(elements_.size()); ++e)
     if (!gone[static_cast<std::size_t>(e)])
       evaluate_element(static_cast<std::size_t>(e), dt);
