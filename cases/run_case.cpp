@@ -98,9 +98,13 @@ private:
     balance_warned_ = true;
     log_.warn(fmt::format(
         "the energy balance (5.59) is off by {:.1f} % at {:.4g} ms; a smaller run.courant than {:g} or "
-        "another run.viscosity than \"{}\" may keep it",
+        "another run.viscosity than \"{}\" may keep it{}",
         100 * run.ledger().balance_error(), 1e3 * run.time(), run.settings().courant,
-        name_of(run.settings().viscosity.kind)));
+        name_of(run.settings().viscosity.kind),
+        run.mesh_target()
+            ? "; where the target bends within a few particles it is the mirror, which is exact on flat "
+              "walls: a smaller bird.spacing, or target.contact = \"penalty\""
+            : ""));
   }
 
   SeriesWriter series_;

@@ -44,11 +44,12 @@ MeshTarget::MeshTarget(ShellMesh rigid) : rigid_(std::move(rigid))
   gone_.assign(rigid_.elements.size(), 0);
 }
 
-ContactSurface MeshTarget::surface() const
+ContactSurface MeshTarget::surface(const std::vector<Vector3>* velocity) const
 {
   if (shells_)
-    return {shells_->mesh(),    shells_->position, shells_->velocity, shells_->mass(),
-            shells_->thickness, modulus_,          shells_->gone};
+    return {shells_->mesh(), shells_->position,  velocity ? *velocity : shells_->velocity,
+            shells_->mass(), shells_->thickness, modulus_,
+            shells_->gone};
   return {rigid_, rigid_.points, rest_, mass_, thickness_, modulus_, gone_};
 }
 

@@ -24,8 +24,9 @@ public:
   const Shells* shells() const { return shells_ ? &*shells_ : nullptr; } //!< null where rigid
   Shells* shells() { return shells_ ? &*shells_ : nullptr; }
 
-  //! What contact sees now; holds until the next call or step.
-  ContactSurface surface() const;
+  //! What contact sees now; holds until the next step.
+  //! \param velocity  of the nodes, in place of the one that they have; not looked at where the body is rigid
+  ContactSurface surface(const std::vector<Vector3>* velocity = nullptr) const;
 
   ElementLoads loads; //!< of the bird on the elements
 

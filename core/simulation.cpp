@@ -41,6 +41,16 @@ double speed_of(const Particles& p)
   return mass > 0 ? total_momentum(p).norm() / mass : 0;
 }
 
+//! Largest speed of a node of the target [m/s].
+double fastest_node(const MeshTarget& target)
+{
+  double fastest = 0;
+  if (target.shells())
+    for (const Vector3& velocity : target.shells()->velocity)
+      fastest = std::max(fastest, velocity.norm());
+  return fastest;
+}
+
 void check(const Settings& s, const Particles& p, const RigidPlate* plate)
 {
   for (const double value : {s.end_time, s.courant, s.viscosity.linear, s.viscosity.quadratic,
@@ -81,8 +91,9 @@ struct Simulation::State
   std::optional<MirrorSearch> mirror;     // where contact mirrors
   MirrorPlanes walls;
   std::vector<SurfaceForce> image_forces;
-  std::vector<double> fx, fy, fz;  // of contact on the particles [N]
-  std::vector<Vector3> node_force; // of contact on the nodes of mesh [N]
+  std::vector<double> fx, fy, fz;     // of contact on the particles [N]
+  std::vector<Vector3> node_force;    // of contact on the nodes of mesh [N]
+  std::vector<Vector3> node_velocity; // of the nodes at the end of a step, to first order [m/s]
   std::vector<DeflectionGauge> deflections;
 
   Rates rates;
@@ -119,7 +130,7 @@ struct Simulation::State
     if (particles.size() > 0) {
       ContactSettings of_contact = target.contact;
       if (of_contact.impact_speed <= 0)
-        of_contact.impact_speed = speed_of(particles);
+        of_contact.impact_speed = speed_of(particles) + fastest_node(*mesh);
       initial_gap = require_initial_gap(particles, mesh->surface());
       contact.emplace(particles, mesh->surface(), of_contact);
       if (of_contact.mirror)
@@ -248,10 +259,12 @@ void Simulation::State::refresh_neighbours()
 //! Forces at the end of a step of length \p dt.
 void Simulation::State::evaluate_rates(double dt)
 {
+  if (contact && mesh->shells())
+    mesh->shells()->carried_velocity(dt, node_velocity);
   if (particles.size() > 0) {
     if (mirror) {
       const Stopwatch watch{shares.contact};
-      mirror->find(particles, mesh->surface(), walls);
+      mirror->find(particles, mesh->surface(&node_velocity), walls);
     }
     const Stopwatch watch{shares.particles};
     sph.evaluate(particles, trial_vx, trial_vy, trial_vz, trial_density, trial_energy, neighbours, rates,
@@ -278,8 +291,8 @@ void Simulation::State::evaluate_contact(double dt)
   const Stopwatch watch{shares.contact};
   std::fill(node_force.begin(), node_force.end(), Vector3::Zero());
   collect_image_forces();
-  contact->evaluate(particles, trial_vx, trial_vy, trial_vz, mesh->surface(), dt, fx, fy, fz, node_force,
-                    mesh->loads, image_forces);
+  contact->evaluate(particles, trial_vx, trial_vy, trial_vz, mesh->surface(&node_velocity), dt, fx, fy, fz,
+                    node_force, mesh->loads, image_forces);
   for_each_row(particles.size(), [&](std::size_t i) {
     rates.ax[i] += fx[i] / particles.mass[i];
     rates.ay[i] += fy[i] / particles.mass[i];
@@ -305,7 +318,10 @@ void Simulation::State::collect_image_forces()
     // Half a cell of matter between the particle and the wall, as for the springs.
     const double stiffness =
         2 * particles.density[i] * particles.sound_speed[i] * particles.sound_speed[i] * particles.spacing;
-    image_forces.push_back({walls.element[i], walls.weight[i], force, force.dot(normal), stiffness});
+    const double damping = particles.density[i] * particles.spacing * particles.spacing *
+                           (settings.viscosity.linear * particles.sound_speed[i] +
+                            settings.viscosity.quadratic * rates.approach[i]);
+    image_forces.push_back({walls.element[i], walls.weight[i], force, force.dot(normal), stiffness, damping});
   }
 }
 

@@ -84,11 +84,13 @@ ParticleContact::ParticleContact(const Particles& p, const ContactSurface& surfa
     : settings_(settings),
       spacing_(p.spacing),
       bins_((0.5 + near) * p.spacing, skin * p.spacing),
+      footprint_(surface.mesh, p.spacing),
       last_position_(p.size()),
       last_element_(p.size(), -1),
       passed_(p.size(), -1),
       last_energy_(p.size(), 0),
       node_stiffness_(surface.position.size()),
+      node_damping_(surface.position.size()),
       found_((p.size() + run_length - 1) / run_length),
       stable_step_(infinity)
 {
@@ -409,22 +411,32 @@ void ParticleContact::add_up(const Moment& now, double duration, std::vector<Vec
     loads.pressure[e] = 0;
   }
   std::fill(node_stiffness_.begin(), node_stiffness_.end(), 0.0);
+  std::fill(node_damping_.begin(), node_damping_.end(), 0.0);
 
   energy_.stored = 0;
   force_on_target_.setZero();
   touching_ = tests_ = 0;
-  double slip_power = 0, per_mass = 0, per_node_mass = 0;
+  double slip_power = 0, per_mass = 0, per_node_mass = 0, damping_rate = 0;
   stable_step_ = infinity;
   const auto take = [&](const SurfaceForce& contact) {
     const auto e = static_cast<std::size_t>(contact.element);
-    loads.force[e] -= contact.force;
-    loads.pressure[e] += contact.pressing;
+    if (!contact.force.isZero()) {
+      const Footprint::Shares shares =
+          footprint_.of(surface.mesh, contact.element, contact.weight, surface.position, surface.gone);
+      for (int k = 0; k < shares.count; ++k) {
+        const auto [element, part] = shares.share[static_cast<std::size_t>(k)];
+        loads.force[static_cast<std::size_t>(element)] -= part * contact.force;
+        loads.pressure[static_cast<std::size_t>(element)] += part * contact.pressing;
+      }
+    }
     force_on_target_ -= contact.force;
     for (std::size_t k = 0; k < 4; ++k) {
       const auto n = static_cast<std::size_t>(surface.mesh.elements[e][k]);
       node_force[n] -= contact.weight[k] * contact.force;
       node_stiffness_[n] += contact.weight[k] * contact.stiffness;
+      node_damping_[n] += contact.weight[k] * contact.damping;
       per_node_mass = std::max(per_node_mass, node_stiffness_[n] / surface.mass[n]);
+      damping_rate = std::max(damping_rate, node_damping_[n] / surface.mass[n]);
     }
   };
   for (const SurfaceForce& other : others)
@@ -443,10 +455,13 @@ void ParticleContact::add_up(const Moment& now, double duration, std::vector<Vec
   }
   energy_.friction += 0.5 * duration * (slip_power_ + slip_power);
   slip_power_ = slip_power;
-  if (per_mass + per_node_mass > 0)
-    stable_step_ = std::min(stable_step_, 2 / std::sqrt(per_mass + per_node_mass));
+  if (per_mass + per_node_mass > 0) {
+    const double omega = std::sqrt(per_mass + per_node_mass),
+                 share = 0.5 * damping_rate / omega; // of critical damping
+    stable_step_ = std::min(stable_step_, 2 / omega * (std::sqrt(1 + share * share) - share));
+  }
   for (std::size_t e = 0; e < elements; ++e) {
-    if (loads.pressure[e] > 0)
+    if (loads.pressure[e] != 0)
       loads.pressure[e] /= area_of(surface.mesh.elements[e], surface.position);
     loads.impulse[e] += 0.5 * duration * loads.force[e];
     loads.peak_pressure[e] = std::max(loads.peak_pressure[e], loads.pressure[e]);

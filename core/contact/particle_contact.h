@@ -17,6 +17,7 @@
 #pragma once
 
 #include "core/contact/contact_stiffness.h"
+#include "core/contact/footprint.h"
 #include "core/contact/initial_gap.h"
 #include "core/contact/search.h"
 #include "core/contact/touches.h"
@@ -42,6 +43,7 @@ struct SurfaceForce
   Vector3 force;                //!< on the particle [N]
   double pressing;              //!< part of it normal to the element, from the wall positive [N]
   double stiffness;             //!< that the nodes feel [N/m]
+  double damping = 0;           //!< the same, of a force that grows with velocity [N s/m]
 };
 
 struct ContactEnergy
@@ -103,6 +105,7 @@ private:
   double spacing_;
   std::vector<double> modulus_; // of the parts [Pa]
   ElementBins bins_;
+  Footprint footprint_;
 
   // Of the particles, N rows.
   std::vector<Vector3> last_position_;     // [m]
@@ -112,7 +115,7 @@ private:
   std::vector<double> last_energy_; // stored [J]
 
   std::vector<Vector3> last_node_;                        // positions of the nodes [m]
-  std::vector<double> node_stiffness_;                    // [N/m]
+  std::vector<double> node_stiffness_, node_damping_;     // [N/m], [N s/m]
   double node_moved_ = 0, node_speed_ = 0, thickest_ = 0; // [m], [m/s], [m]
   std::vector<Found> found_;
   bool begun_ = false;

@@ -47,6 +47,7 @@ struct Sums
 enum class Seen
 {
   direct,
+  past_wall, //!< itself, but for what a wall between the two hides
   in_plate,
   in_wall
 };
@@ -138,7 +139,7 @@ add_pair(Sums& sum, const Side<Pack>& i, const PairInput& in, int j, Pack dx, Pa
   sum.fx += push * dx;
   sum.fy += push * dy;
   sum.fz += push * dz;
-  if constexpr (seen != Seen::direct)
+  if constexpr (seen == Seen::in_plate || seen == Seen::in_wall)
     sum.wall += push * dx;
   if constexpr (seen == Seen::in_wall) {
     sum.wall_y += push * dy;
@@ -169,9 +170,26 @@ add_pair(Sums& sum, const Side<Pack>& i, const PairInput& in, int j, Pack dx, Pa
   return d;
 }
 
-template <bool periodic, bool limited>
-Sums sum_direct(const Side<Pack>& i, const std::int32_t* partners, int count, const PairInput& in,
-                const PairSettings& s)
+//! 1, less where a wall stands between the lanes and j: each behind the other's, and these face apart.
+[[gnu::always_inline]] inline Pack open_past_walls(const Side<Pack>& i, const PairInput& in, int row, int j)
+{
+  const Pack zero{}, one = zero + 1.0;
+  if (in.wall_open[j] <= 0)
+    return one;
+  const Pack nx = load(in.wall_x + row), ny = load(in.wall_y + row), nz = load(in.wall_z + row);
+  const Pack of_j = in.x[j] * nx + in.y[j] * ny + in.z[j] * nz - load(in.wall_at + row);
+  const Pack of_i = i.x * in.wall_x[j] + i.y * in.wall_y[j] + i.z * in.wall_z[j] - in.wall_at[j];
+  const Pack facing = in.wall_x[j] * nx + in.wall_y[j] * ny + in.wall_z[j] * nz;
+  Pack shut = min(load(in.wall_open + row), zero + in.wall_open[j]);
+  shut = of_j < 0.0 ? shut : zero;
+  shut = of_i < 0.0 ? shut : zero;
+  shut = facing < 0.0 ? shut : zero;
+  return one - shut;
+}
+
+template <bool periodic, bool limited, bool walls>
+Sums sum_direct(const Side<Pack>& i, [[maybe_unused]] int row, const std::int32_t* partners, int count,
+                const PairInput& in, const PairSettings& s)
 {
   Sums sum;
   for (int n = 0; n < count; ++n) {
@@ -181,8 +199,11 @@ Sums sum_direct(const Side<Pack>& i, const std::int32_t* partners, int count, co
       dy = nearest_image(dy, s.period.y);
       dz = nearest_image(dz, s.period.z);
     }
-    add_pair<Seen::direct, limited>(sum, i, in, j, i.x - in.x[j], dy, dz, i.vx - in.vx[j], i.vy - in.vy[j],
-                                    i.vz - in.vz[j], s, Pack{});
+    Pack open{};
+    if constexpr (walls)
+      open = open_past_walls(i, in, row, j);
+    add_pair<walls ? Seen::past_wall : Seen::direct, limited>(
+        sum, i, in, j, i.x - in.x[j], dy, dz, i.vx - in.vx[j], i.vy - in.vy[j], i.vz - in.vz[j], s, open);
   }
   return sum;
 }
@@ -261,7 +282,11 @@ void rates_of(const Cluster& cluster, int row, int count, const std::int32_t* al
 {
   const std::int32_t* partners = all_partners + cluster.first;
   const Side<Pack> i = load_side(in, row);
-  Sums sum = sum_direct<periodic, limited>(i, partners, cluster.partners, in, s);
+  bool wall = false; // does one of the lanes stand before one?
+  for (int l = 0; in.wall_open && l < count; ++l)
+    wall = wall || in.wall_open[row + l] > 0;
+  Sums sum = wall ? sum_direct<periodic, limited, true>(i, row, partners, cluster.partners, in, s)
+                  : sum_direct<periodic, limited, false>(i, row, partners, cluster.partners, in, s);
 
   if (s.plate.present) {
     double nearest = -1e300;
@@ -272,10 +297,7 @@ void rates_of(const Cluster& cluster, int row, int count, const std::int32_t* al
   }
 
   if (in.wall_open) {
-    bool near = false;
-    for (int l = 0; l < count; ++l)
-      near = near || in.wall_open[row + l] > 0;
-    if (near)
+    if (wall)
       add_wall_images<limited>(sum, i, row, partners, cluster.partners, in, s);
     store(out.wall_y + row, sum.wall_y, count);
     store(out.wall_z + row, sum.wall_z, count);

@@ -39,7 +39,22 @@ long Shells::relax(double time, double tolerance, long most)
   evaluate(0, time);
   long steps = 0;
   double before = 0, balance = out_of_balance();
+  Vector3 low = Vector3::Constant(1e300), high = -low;
+  for (const Vector3& point : mesh_.points) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  const auto runs_away = [&] { // farther than it is large: nothing holds it up
+    for (std::size_t n = 0; n < position.size(); ++n)
+      if (!((position[n] - mesh_.points[n]).norm() < (high - low).norm()))
+        return true;
+    return false;
+  };
   for (; balance > tolerance && steps < most; ++steps) {
+    if (steps % 1000 == 999 && runs_away())
+      throw RunError("the target does not come to rest: it has moved farther than it is large; its supports "
+                     "do not hold it "
+                     "against the load");
     const double dt = stable_step_;
     kick(0.5 * dt);
     drift(dt);

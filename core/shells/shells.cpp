@@ -361,10 +361,12 @@ void Shells::kick(double dt)
 {
   for (const Held& held : held_) {
     const auto n = static_cast<std::size_t>(held.node);
+    // Along the circle at the moment of the force: the chord of the step leans outwards and would do work of its own.
+    const Vector3 steady = steady_velocity(position[n]);
     for (int k = 0; k < 3; ++k) {
       if (held.moves[static_cast<std::size_t>(k)]) {
         support_impulse_[k] -= force_[n][k] * dt;
-        external_work_ -= force_[n][k] * velocity[n][k] * dt;
+        external_work_ -= force_[n][k] * steady[k] * dt;
       }
       if (held.turns[static_cast<std::size_t>(k)])
         external_work_ -= moment_[n][k] * spin[n][k] * dt;
@@ -379,9 +381,12 @@ void Shells::kick(double dt)
   hold_velocities();
   if (settings_.damping > 0) {
     const double before = kinetic_energy(), factor = std::exp(-settings_.damping * dt);
-    for_each_row(position.size(), [&](std::size_t n) {
-      velocity[n] *= factor;
-      spin[n] *= factor;
+    const Vector3 turning =
+        settings_.spin && !rotating_frame_ ? settings_.spin->velocity : Vector3(Vector3::Zero());
+    for_each_row(position.size(), [&](std::size_t n) { // towards the steady motion
+      const Vector3 steady = steady_velocity(position[n]);
+      velocity[n] = steady + factor * (velocity[n] - steady);
+      spin[n] = turning + factor * (spin[n] - turning);
     });
     hold_velocities();
     damped_ += before - kinetic_energy();
@@ -404,6 +409,19 @@ void Shells::drift(double dt)
     }
   }
   for_each_row(position.size(), [&](std::size_t n) { position[n] += velocity[n] * dt; });
+}
+
+void Shells::carried_velocity(double dt, std::vector<Vector3>& result) const
+{
+  result.resize(position.size());
+  for_each_row(position.size(),
+               [&](std::size_t n) { result[n] = velocity[n] + 0.5 * dt / mass_[n] * force_[n]; });
+  for (const Held& held : held_) {
+    const auto n = static_cast<std::size_t>(held.node);
+    for (int k = 0; k < 3; ++k)
+      if (held.moves[static_cast<std::size_t>(k)])
+        result[n][k] = velocity[n][k];
+  }
 }
 
 void Shells::evaluate_element(std::size_t e, double dt)
@@ -520,7 +538,8 @@ void Shells::evaluate_element(std::size_t e, double dt)
   const double share = 0.5 * settings_.stiff_damping * frequency; // of critical damping at that frequency
   element_step_[e] = settings_.courant * 2 / frequency * (std::sqrt(1 + share * share) - share);
 
-  const bool folded = dt > 0 && !(element_step_[e] > folded_share * state.step0);
+  // What is not a number is no fold: evaluate() stops at it.
+  const bool folded = dt > 0 && element_step_[e] <= folded_share * state.step0 && element_step_[e] > 0;
   if (static_cast<double>(failed) >= settings_.failed_share * static_cast<double>(point_count) ||
       (folded && can_fail(material)))
   {
@@ -547,6 +566,10 @@ void Shells::evaluate(double dt, double time)
       report_broken(e, time);
     stable_step_ = std::min(stable_step_, element_step_[e]);
   }
+  const double motion = ordered_sum(
+      position.size(), [&](std::size_t n) { return velocity[n].squaredNorm() + spin[n].squaredNorm(); });
+  if (!std::isfinite(motion))
+    report_lost_node(time);
   const bool loaded =
       !loads_.surfaces.empty() || !loads_.nodes.empty() || (rotating_frame_ && settings_.spin);
   if (loaded) { // by the mean of the loads at both ends of the step
@@ -624,6 +647,20 @@ void Shells::report_broken(std::size_t e, double time) const
       "%.3g s; a smaller run.courant, a finer mesh or a material that fails may help",
       e, mesh_.parts[mesh_.part_of(e)].name.c_str(), time, place_text(position[node]).c_str(), thickness[e],
       element_step_[e]);
+  throw RunError(text);
+}
+
+void Shells::report_lost_node(double time) const
+{
+  std::size_t n = 0;
+  while (n + 1 < position.size() && velocity[n].allFinite() && spin[n].allFinite())
+    ++n;
+  char text[300];
+  std::snprintf(
+      text, sizeof text,
+      "node %zu of the target at %s before the load is lost: its velocity is no longer a finite number at "
+      "t = %.6g s; try a smaller run.courant or target.courant",
+      n, place_text(mesh_.points[n]).c_str(), time);
   throw RunError(text);
 }
 

@@ -52,6 +52,9 @@ public:
   void kick(double dt);
   //! Positions by velocities.
   void drift(double dt);
+  //! Velocities at the end of a step of length \p dt [s], to first order, while they stand in its middle: what contact
+  //! there sees. One entry a node [m/s].
+  void carried_velocity(double dt, std::vector<Vector3>& result) const;
   //! Stresses from the motion over the last \p dt, which may be 0 at the start; then all forces but those of contact.
   //! \throw RunError naming element and place if a number is no longer finite or an element has turned over
   void evaluate(double dt, double time);
@@ -99,7 +102,7 @@ public:
   //! Come to rest under the loads of time \p time, with kinetic damping: whenever the kinetic energy has passed a maximum
   //! all motion is stopped (P. A. Cundall, 1976). With a spin, under its centrifugal load in the rotating frame. Ends with
   //! zero velocity, or that of the spin.
-  //! \param tolerance  largest out-of-balance force over the largest force, of one node
+  //! \param tolerance  force out of balance on what is free over all forces that act, both as root of the sum of squares
   //! \return number of steps
   //! \throw RunError if that is not reached within \p most steps
   long relax(double time, double tolerance = 1e-4, long most = 2000000);
@@ -155,7 +158,8 @@ private:
   void lump_masses();
   void join_corners();
   void evaluate_element(std::size_t element, double dt);
-  void report_broken(std::size_t element, double time) const;
+  [[noreturn]] void report_broken(std::size_t element, double time) const;
+  [[noreturn]] void report_lost_node(double time) const;
   void apply_loads(double time);
   void gather_support(const std::vector<Support>& supports);
   Vector3 steady_velocity(const Vector3& place) const;
