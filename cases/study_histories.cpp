@@ -77,6 +77,7 @@ Plot plot_of_histories(const StudyPlot& plot, const std::vector<StudyRun>& runs,
                        const std::vector<RunResult>& results, const fs::path& folder)
 {
   constexpr std::size_t most = 2000; // rows a line: more than the picture has pixels
+  constexpr std::size_t colours = 8; // of write_plot
   Plot picture;
   picture.title = plot.title;
   picture.x_label = "time [ms]";
@@ -91,6 +92,8 @@ Plot plot_of_histories(const StudyPlot& plot, const std::vector<StudyRun>& runs,
                                     plot.file, plot.history, column.unit, plot.y_unit));
     PlotSeries line;
     line.name = runs[k].label;
+    if (picture.series.size() >= colours)
+      line.style = LineStyle::dashed; // the colours come again
     const std::size_t stride = 1 + column.time.size() / most;
     for (std::size_t row = 0; row < column.time.size(); row += stride) {
       line.x.push_back(1e3 * column.time[row]);
