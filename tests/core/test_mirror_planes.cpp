@@ -175,3 +175,31 @@ TEST_CASE("a block on a rigid flat mesh hands over what it hands to the plate",
   CHECK(plate > 0.9);
   CHECK(impulse(Target(MeshTarget(wall()), mirror)) == Approx(plate).epsilon(0.01));
 }
+
+TEST_CASE("matter on the two faces of a thin wall does not feel each other", "[contact][mirror]")
+{
+  ShellMesh mesh = wall(30, 0.3);
+  mesh.parts[0].thickness = 1e-3;
+  for (Vector3& point : mesh.points)
+    point[0] = 0;
+  const MeshTarget target(mesh);
+  const double spacing = 4e-3;
+  // A block before the wall, and its twin behind it, each half a spacing from its face.
+  Particles alone = samples::block(4, 6, 6, spacing, 0);
+  for (double& x : alone.x)
+    x -= 0.5e-3;
+  std::vector<Seed> seeds = samples::seeds_of(alone), both = seeds;
+  for (Seed seed : seeds) {
+    seed.position[0] = -seed.position[0];
+    both.push_back(seed);
+  }
+  Particles twins = make_particles(alone.parts, both, spacing, Vector3::Zero(), 1.25);
+  MirrorPlanes walls;
+  const Rates expected = rates_before(alone, target.surface(), walls),
+              r = rates_before(twins, target.surface(), walls);
+  std::vector<double> density(seeds.size());
+  for (std::size_t i = 0; i < alone.size(); ++i)
+    density[std::size_t(alone.id[i])] = expected.summed_density[i];
+  for (std::size_t i = 0; i < twins.size(); ++i)
+    CHECK(r.summed_density[i] == Approx(density[std::size_t(twins.id[i]) % seeds.size()]).epsilon(1e-12));
+}

@@ -730,3 +730,15 @@ TEST_CASE("Bad structures are refused by name", "[shells]")
     CHECK_THAT(message(mesh, section, {clamped({77})}), Contains("support") && Contains("77"));
   }
 }
+
+TEST_CASE("a velocity that is no number stops the run, also where elements could erode", "[shells][errors]")
+{
+  ShellMaterial material = samples::elastic(70e9, 0.3, 2700);
+  material.failure = PlasticStrainLimit{0.2};
+  const ShellMesh mesh = samples::patch(3, 3, [](double u, double v) -> Vector3 { return {u, v, 0}; });
+  Shells shells(mesh, {{material, 0.01, 3}});
+  shells.velocity[5][2] = std::nan("");
+  const double dt = shells.stable_step();
+  shells.drift(dt);
+  CHECK_THROWS_WITH(shells.evaluate(dt, dt), Catch::Contains("target") && Catch::Contains("t = "));
+}
