@@ -83,11 +83,14 @@ double way_to(const Vector3& from, const Vector3& direction, double reach, const
 
 } // namespace
 
-Approach approach(const Particles& bird, const Vector3& direction, double reach, const ShellMesh& target)
+Approach approach(const Particles& bird, const Vector3& direction, const std::vector<double>& reach,
+                  const ShellMesh& target)
 {
   const View view(bird, direction);
   std::vector<double> way(bird.size(), std::numeric_limits<double>::infinity());
-  for (const ShellElement& element : target.elements) {
+  for (std::size_t e = 0; e < target.elements.size(); ++e) {
+    const ShellElement& element = target.elements[e];
+    const double of_part = reach.at(target.part_of(e));
     std::array<Vector3, 4> corner;
     for (std::size_t k = 0; k < 4; ++k)
       corner[k] = target.points[static_cast<std::size_t>(element[k])];
@@ -95,7 +98,7 @@ Approach approach(const Particles& bird, const Vector3& direction, double reach,
       const std::array<Vector3, 3> triangle{corner[0], corner[half == 0 ? 1 : 2], corner[half == 0 ? 2 : 3]};
       view.near({view.project(triangle[0]), view.project(triangle[1]), view.project(triangle[2])},
                 [&](std::size_t i) {
-                  way[i] = std::min(way[i], way_to(bird.position(i), direction, reach, triangle));
+                  way[i] = std::min(way[i], way_to(bird.position(i), direction, of_part, triangle));
                 });
     }
   }

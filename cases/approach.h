@@ -5,6 +5,8 @@
 #include "core/particles/particles.h"
 #include "core/shells/mesh.h"
 
+#include <vector>
+
 namespace birdstrike {
 
 struct Approach
@@ -15,8 +17,9 @@ struct Approach
 
 //! Straight lines from every particle along \p direction, against the elements as triangles.
 //! \param direction  of the flight, of length 1
-//! \param reach      distance from the surface, across it, at which a particle has arrived [m]
+//! \param reach      of each part of the target: distance from its surface, across it, at which a particle has arrived [m]
 //! \return way is infinite if nothing meets the target
-Approach approach(const Particles& bird, const Vector3& direction, double reach, const ShellMesh& target);
+Approach approach(const Particles& bird, const Vector3& direction, const std::vector<double>& reach,
+                  const ShellMesh& target);
 
 } // namespace birdstrike

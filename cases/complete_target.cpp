@@ -69,7 +69,10 @@ void check_supports(const Case& parsed)
     const std::string place = fmt::format("{}: target.supports.{}", file, support.name);
     const bool low = !std::isnan(support.low[0]), high = !std::isnan(support.high[0]);
     if (support.nodes.empty() && !low && !high)
-      throw InputError(place + ": which nodes? Give nodes, the name of a node set, or the box low, high");
+      throw InputError(
+          place +
+          ": which nodes? Give nodes, the name of a node set, or the box low, high; where nothing holds the "
+          "target, target.free = true");
     if (low != high)
       throw InputError(place + ": a box needs both corners, low and high");
     for (std::size_t k = 0; low && k < 3; ++k)

@@ -96,7 +96,7 @@ const std::vector<Kind>& kinds()
        {},
        [](const LawCase& g, const Path& folder) {
          const LawTable table = read_law_table(folder / g.file);
-         return EquationOfState(Tabulated(table.density, table.pressure, g.file));
+         return EquationOfState(Tabulated(table.density, table.pressure, Path(g.file).filename().string()));
        }},
   };
   return all;

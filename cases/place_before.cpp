@@ -8,7 +8,6 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace birdstrike {
@@ -16,23 +15,21 @@ namespace birdstrike {
 std::vector<std::string> place_before(const Case& parsed, const ShellMesh& target, Particles& bird,
                                       Flight& flight)
 {
-  const double thickness = std::max_element(target.parts.begin(), target.parts.end(),
-                                            [](const ShellMeshPart& a, const ShellMeshPart& b) {
-                                              return a.thickness < b.thickness;
-                                            })
-                               ->thickness;
-  const Approach found = approach(bird, flight.direction, 0.5 * (bird.spacing + thickness), target);
+  std::vector<double> reach;
+  for (const ShellMeshPart& part : target.parts)
+    reach.push_back(0.5 * (bird.spacing + part.thickness));
+  const Approach found = approach(bird, flight.direction, reach, target);
   if (!std::isfinite(found.way)) {
     Eigen::AlignedBox3d box;
     for (const Vector3& point : target.points)
       box.extend(point);
-    throw InputError(fmt::format("{}: nothing of the bird meets the target: it flies at the origin, and the "
-                                 "target fills x {:.4g} to {:.4g} m, "
-                                 "y {:.4g} to {:.4g} m, z {:.4g} to {:.4g} m; shift the mesh so that the "
-                                 "place to hit is its origin, or check "
-                                 "target.mesh.unit",
-                                 parsed.file.string(), box.min()[0], box.max()[0], box.min()[1], box.max()[1],
-                                 box.min()[2], box.max()[2]));
+    throw InputError(fmt::format(
+        "{}: nothing of the bird meets the target, which fills x {:.3f} to {:.3f} m, y {:.3f} to {:.3f} m, z "
+        "{:.3f} to {:.3f} m: the bird flies at the origin, or bird.offset beside it; {}",
+        parsed.file.string(), box.min()[0], box.max()[0], box.min()[1], box.max()[1], box.min()[2],
+        box.max()[2],
+        parsed.target.shape == "mesh" ? "shift the mesh, or set its target.mesh.unit"
+                                      : "turn or enlarge the target"));
   }
   // Across a plate, as where it is the mirror of the flow.
   const double gap = parsed.target.shape == "plate" ? parsed.bird.gap / flight.direction[0] : parsed.bird.gap;

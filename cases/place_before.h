@@ -16,6 +16,7 @@ namespace birdstrike {
 //! \param flight  its gap is set
 //! \return warnings: mass that flies past, a run that ends too early
 //! \throw InputError if nothing of the bird meets the target
-std::vector<std::string> place_before(const Case& parsed, const ShellMesh& target, Particles& bird, Flight& flight);
+std::vector<std::string> place_before(const Case& parsed, const ShellMesh& target, Particles& bird,
+                                      Flight& flight);
 
 } // namespace birdstrike

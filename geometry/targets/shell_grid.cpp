@@ -61,7 +61,8 @@ void require_positive(const std::string& key, double value, const std::string& u
 void require_between(const std::string& key, double value, double low, double high, const std::string& unit)
 {
   require(value >= low && value <= high,
-          format_text("%s is %g %s; it must be from %g to %g", key.c_str(), value, unit.c_str(), low, high));
+          format_text("%s is %g%s; it must be from %g to %g", key.c_str(), value,
+                      (unit.empty() ? unit : " " + unit).c_str(), low, high));
 }
 
 ShellGrid add_grid(ShellMesh& mesh, int columns, int rows, const std::function<Vector3(int, int)>& place,

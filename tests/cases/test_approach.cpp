@@ -64,7 +64,7 @@ TEST_CASE("before a plate the way is the gap less the reach", "[cases][approach]
 {
   for (const int elements : {1, 2, 7}) {
     const ShellMesh plate = make_flat_plate({0.2, 0.2, 0.002, elements, elements});
-    const Approach found = approach(drop(), Vector3::UnitX(), 0.3e-3, plate);
+    const Approach found = approach(drop(), Vector3::UnitX(), {0.3e-3}, plate);
     CHECK(found.way == Approx(0.2e-3).epsilon(1e-12));
     CHECK(found.missed == 0);
   }
@@ -76,7 +76,7 @@ TEST_CASE("before a leaning plate the foremost line decides and the reach is mea
   // Its plane is x = z tan(angle). The lower particles, z = -0.5 mm, meet it first; distance 0.3 mm from it is a way of
   // 0.3 mm / cos(angle) before.
   const double angle = pi / 6;
-  const Approach found = approach(drop(), Vector3::UnitX(), 0.3e-3, leaning_plate(angle, 6));
+  const Approach found = approach(drop(), Vector3::UnitX(), {0.3e-3}, leaning_plate(angle, 6));
   CHECK(found.way == Approx(0.5e-3 - 0.5e-3 * std::tan(angle) - 0.3e-3 / std::cos(angle)).epsilon(1e-9));
   CHECK(found.missed == 0);
 }
@@ -86,7 +86,7 @@ TEST_CASE("an oblique flight is followed along its own line", "[cases][approach]
   const double angle =
       pi / 4; // down on an upright plate: 0.5 mm across it are 0.5 mm / sin(angle) along the flight
   const Vector3 direction(std::sin(angle), 0, -std::cos(angle));
-  const Approach found = approach(drop(), direction, 0.3e-3, make_flat_plate({0.2, 0.2, 0.002, 3, 3}));
+  const Approach found = approach(drop(), direction, {0.3e-3}, make_flat_plate({0.2, 0.2, 0.002, 3, 3}));
   CHECK(found.way == Approx((0.5e-3 - 0.3e-3) / std::sin(angle)).epsilon(1e-9));
 }
 
@@ -97,7 +97,7 @@ TEST_CASE("a ball is met at its front, not at its back, also from within", "[cas
     Particles bird = drop();
     for (double& x : bird.x)
       x += start;
-    const Approach found = approach(bird, Vector3::UnitX(), 0, sphere(radius, 90));
+    const Approach found = approach(bird, Vector3::UnitX(), {0}, sphere(radius, 90));
     const double touch = -std::sqrt(radius * radius - 2 * 0.5e-3 * 0.5e-3);
     // Facets of 2 degrees lie up to r (1 - cos 1 deg)^... = 3e-5 m within the ball.
     CHECK(found.way == Approx(touch - (start - 0.5e-3)).margin(4e-5));
@@ -117,11 +117,11 @@ TEST_CASE("mass that flies past is counted, whatever the particles weigh", "[cas
   ShellMesh lower = make_flat_plate({0.2, 0.2, 0.002, 4, 4}); // its top edge lies on the axis
   for (Vector3& point : lower.points)
     point[2] -= 0.1;
-  CHECK(approach(bird, Vector3::UnitX(), 0, lower).missed == Approx(above / all).epsilon(1e-12));
+  CHECK(approach(bird, Vector3::UnitX(), {0}, lower).missed == Approx(above / all).epsilon(1e-12));
 
   for (Vector3& point : lower.points)
     point[2] -= 0.1;
-  const Approach past = approach(bird, Vector3::UnitX(), 0, lower);
+  const Approach past = approach(bird, Vector3::UnitX(), {0}, lower);
   CHECK(std::isinf(past.way));
   CHECK(past.missed == 1);
 }
@@ -129,7 +129,8 @@ TEST_CASE("mass that flies past is counted, whatever the particles weigh", "[cas
 TEST_CASE("lines through sides and corners of elements meet them", "[cases][approach]")
 {
   // Particles at y, z = -0.5 mm, 0.5 mm; elements of 0.5 mm have their corners there.
-  const Approach found = approach(drop(), Vector3::UnitX(), 0, make_flat_plate({0.004, 0.004, 0.001, 8, 8}));
+  const Approach found =
+      approach(drop(), Vector3::UnitX(), {0}, make_flat_plate({0.004, 0.004, 0.001, 8, 8}));
   CHECK(found.missed == 0);
   CHECK(found.way == Approx(0.5e-3));
 }
@@ -140,7 +141,8 @@ TEST_CASE("elements along the flight stop nothing, and a bird of one particle fl
   ShellMesh edge_on = make_flat_plate({0.2, 0.2, 0.002, 2, 2});
   for (Vector3& point : edge_on.points)
     point = Vector3(point[1], 0, point[2]);
-  CHECK(std::isinf(approach(samples::block(1, 1, 1, 1e-3), Vector3::UnitX(), 1e-3, edge_on).way));
-  CHECK(approach(samples::block(1, 1, 1, 1e-3), Vector3::UnitX(), 0, make_flat_plate({0.2, 0.2, 0.002, 2, 2}))
-            .way == Approx(0.5e-3));
+  CHECK(std::isinf(approach(samples::block(1, 1, 1, 1e-3), Vector3::UnitX(), {1e-3}, edge_on).way));
+  CHECK(
+      approach(samples::block(1, 1, 1, 1e-3), Vector3::UnitX(), {0}, make_flat_plate({0.2, 0.2, 0.002, 2, 2}))
+          .way == Approx(0.5e-3));
 }

@@ -188,9 +188,10 @@ TEST_CASE("a target that bends leaves its frames, histories and numbers", "[case
   folder.write("sheet.toml", "name = \"sheet\"\ndensity = \"2.7 g/cm3\"\nyoung = \"70 GPa\"\npoisson = 0.33\n"
                              "[plasticity]\nlaw = \"linear\"\nyield = \"100 MPa\"\n"
                              "[failure]\nlaw = \"plastic-strain\"\nlimit = 0.05\n");
-  folder.write("case.toml", target_cases::bird + std::string(target_cases::plate) +
-                                "rigid = false\nmaterial = \"sheet.toml\"\nfriction = 0.1\n"
-                                "[deflections.middle]\nat = [\"0 m\", \"0 m\", \"0 m\"]\n");
+  folder.write("case.toml",
+               target_cases::bird + std::string(target_cases::plate) +
+                   "rigid = false\nmaterial = \"sheet.toml\"\ncontact = \"penalty\"\nfriction = 0.1\n"
+                   "[deflections.middle]\nat = [\"0 m\", \"0 m\", \"0 m\"]\n");
   const Outcome outcome = program(folder.path, "run case.toml -o out --threads 1");
   INFO(outcome.output);
   REQUIRE(outcome.status == 0);
@@ -270,7 +271,8 @@ TEST_CASE("every shape runs, rigid and not", "[cases][run][target]")
   const scratch::Folder folder;
   folder.write("skin.obj",
                "v 0 -0.1 -0.1\nv 0 0.1 -0.1\nv 0.02 0.1 0.1\nv 0.02 -0.1 0.1\nf 1 2 3\nf 1 3 4\n");
-  const std::string few = " --no-figures --threads 1 --quiet --set run.end='0.15 ms' --set run.frames=1";
+  const std::string few =
+      " --no-figures --threads 1 --quiet --set run.end='0.25 ms' --set run.frames=1 --set bird.gap='20 mm'";
   const std::pair<std::string, std::string> shapes[] = {
       {"windshield",
        "windshield = { radius = \"0.5 m\", arc_width = \"0.3 m\", height = \"0.3 m\", elements_width = 6, "
@@ -298,7 +300,10 @@ TEST_CASE("every shape runs, rigid and not", "[cases][run][target]")
       CHECK(summary.at("impulse_error").get<double>() < 1e-9);
       CHECK(summary.at("target").at("leaked_particles") == 0);
       CHECK((summary.at("target").at("max_deflection").get<double>() > 1e-6) == !rigid);
-      CHECK(summary.at("first_force_time").get<double>() == Approx(0.01 / 120).margin(2e-5));
+      // Viscosity reaches some 0.7 spacings ahead, across the surface, which leans by up to 45 degrees.
+      const double felt = summary.at("first_force_time").get<double>();
+      CHECK(felt < 0.02 / 120 + 1e-5);
+      CHECK(felt > (0.02 - 1.5 * 0.008) / 120);
     }
 }
 

@@ -245,10 +245,10 @@ TEST_CASE("every study of the catalogue stands for sound cases", "[cases][study]
       continue;
     INFO(entry.file);
     const Study study = read_study(entry.file);
-    CHECK(runs_of_study(study).size() >= 3);
-    CHECK_FALSE(study.plots.empty());
+    CHECK(runs_of_study(study).size() >= 2);
     for (const StudyPlot& plot : study.plots)
-      CHECK((!plot.theory.empty() || plot.exact.has_value())); // marks alone say little
+      if (!plot.y.empty())                                       // else it shows histories
+        CHECK((!plot.theory.empty() || plot.exact.has_value())); // marks alone say little
     ++studies;
     verification += entry.file.parent_path().filename() == "verification";
   }
