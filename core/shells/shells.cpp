@@ -152,7 +152,9 @@ struct Viscous
 CornerMotion motion_in(const ElementGeometry& g, const std::array<Vector3, 4>& v,
                        const std::array<Vector3, 4>& w, int n)
 {
-  CornerMotion m{};
+  CornerMotion m;
+  if (n == 3)
+    m.vx[3] = m.vy[3] = m.vz[3] = m.wx[3] = m.wy[3] = m.wz[3] = 0;
   for (std::size_t k = 0; k < static_cast<std::size_t>(n); ++k) {
     const Vector3 local_v = g.axes.transpose() * (v[k] - v[0]), local_w = g.axes.transpose() * w[k];
     m.vx[k] = local_v[0];
@@ -370,8 +372,9 @@ void Shells::kick(double dt)
         external_work_ -= moment_[n][k] * spin[n][k] * dt;
     }
   }
-  for (const Vector3& load : external_)
-    external_impulse_ += load * dt;
+  if (is_loaded())
+    for (const Vector3& load : external_)
+      external_impulse_ += load * dt;
   for_each_row(position.size(), [&](std::size_t n) {
     velocity[n] += force_[n] * (dt / mass_[n]);
     spin[n] += moment_[n] * (dt / inertia_[n]);
@@ -547,9 +550,7 @@ void Shells::evaluate(double dt, double time)
       report_broken(e, time);
     stable_step_ = std::min(stable_step_, element_step_[e]);
   }
-  const bool loaded =
-      !loads_.surfaces.empty() || !loads_.nodes.empty() || (rotating_frame_ && settings_.spin);
-  if (loaded) { // by the mean of the loads at both ends of the step
+  if (is_loaded()) { // by the mean of the loads at both ends of the step
     const auto half_work = [&] {
       return 0.5 * dt *
              ordered_sum(position.size(), [&](std::size_t n) { return external_[n].dot(velocity[n]); });
@@ -568,6 +569,11 @@ void Shells::evaluate(double dt, double time)
     force_[n] = force;
     moment_[n] = moment;
   });
+}
+
+bool Shells::is_loaded() const
+{
+  return !loads_.surfaces.empty() || !loads_.nodes.empty() || (rotating_frame_ && settings_.spin);
 }
 
 void Shells::apply_loads(double time)
