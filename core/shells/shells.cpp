@@ -372,9 +372,8 @@ void Shells::kick(double dt)
         external_work_ -= moment_[n][k] * spin[n][k] * dt;
     }
   }
-  if (is_loaded())
-    for (const Vector3& load : external_)
-      external_impulse_ += load * dt;
+  for (const Vector3& load : external_)
+    external_impulse_ += load * dt;
   for_each_row(position.size(), [&](std::size_t n) {
     velocity[n] += force_[n] * (dt / mass_[n]);
     spin[n] += moment_[n] * (dt / inertia_[n]);
@@ -550,7 +549,9 @@ void Shells::evaluate(double dt, double time)
       report_broken(e, time);
     stable_step_ = std::min(stable_step_, element_step_[e]);
   }
-  if (is_loaded()) { // by the mean of the loads at both ends of the step
+  const bool loaded =
+      !loads_.surfaces.empty() || !loads_.nodes.empty() || (rotating_frame_ && settings_.spin);
+  if (loaded) { // by the mean of the loads at both ends of the step
     const auto half_work = [&] {
       return 0.5 * dt *
              ordered_sum(position.size(), [&](std::size_t n) { return external_[n].dot(velocity[n]); });
@@ -569,11 +570,6 @@ void Shells::evaluate(double dt, double time)
     force_[n] = force;
     moment_[n] = moment;
   });
-}
-
-bool Shells::is_loaded() const
-{
-  return !loads_.surfaces.empty() || !loads_.nodes.empty() || (rotating_frame_ && settings_.spin);
 }
 
 void Shells::apply_loads(double time)

@@ -169,7 +169,6 @@ private:
   void join_corners();
   void evaluate_element(std::size_t element, double dt);
   void report_broken(std::size_t element, double time) const;
-  bool is_loaded() const; //!< by other than contact
   void apply_loads(double time);
   void gather_support(const std::vector<Support>& supports);
   Vector3 steady_velocity(const Vector3& place) const;
