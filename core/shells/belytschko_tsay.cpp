@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/shells/belytschko_tsay.h"
 
+#include <cmath>
+
 namespace birdstrike {
 
 namespace {
@@ -52,25 +54,29 @@ WarpTerms warp_terms(const ElementGeometry& g)
 ElementGeometry quad_geometry(const std::array<Vector3, 4>& corners)
 {
   ElementGeometry g;
-  const Vector3 middle = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
-  const Vector3 normal = (corners[2] - corners[0]).cross(corners[3] - corners[1]).normalized();
-  const Vector3 side = corners[1] - corners[0];
-  const Vector3 first = (side - side.dot(normal) * normal).normalized();
+  const Vector3 middle = 0.25 * ((corners[0] + corners[1]) + (corners[2] + corners[3]));
+  const Vector3 across = (corners[2] - corners[0]).cross(corners[3] - corners[1]); // twice the area long
+  const double twice = std::sqrt(across.squaredNorm());
+  const Vector3 normal = across * (1 / twice), side = corners[1] - corners[0];
+  const double rise = side.dot(normal);
+  const Vector3 flat = side - rise * normal, first = flat * (1 / std::sqrt(flat.squaredNorm()));
   g.axes.col(0) = first;
   g.axes.col(1) = normal.cross(first);
   g.axes.col(2) = normal;
-  for (int k = 0; k < 4; ++k) {
+  for (std::size_t k = 0; k < 4; ++k) {
     const Vector3 from = corners[k] - middle;
-    g.x[k] = from.dot(g.axes.col(0));
+    g.x[k] = from.dot(first);
     g.y[k] = from.dot(g.axes.col(1));
-    g.z[k] = from.dot(normal);
   }
-  const double x20 = g.x[2] - g.x[0], y20 = g.y[2] - g.y[0], x31 = g.x[3] - g.x[1], y31 = g.y[3] - g.y[1];
-  g.area = 0.5 * (x20 * y31 - x31 * y20);
-  const double f = 0.5 / g.area;
-  g.bx = {-f * y31, f * y20, f * y31, -f * y20};
-  g.by = {f * x31, -f * x20, -f * x31, f * x20};
-  g.warp = 0.25 * (g.z[0] - g.z[1] + g.z[2] - g.z[3]);
+  // The normal is across both diagonals: their ends are at one height, +-warp, in turn.
+  g.warp = -0.5 * rise;
+  g.z = {g.warp, -g.warp, g.warp, -g.warp};
+  g.area = 0.5 * twice;
+  const double f = 1 / twice;
+  const double x20 = f * (g.x[2] - g.x[0]), y20 = f * (g.y[2] - g.y[0]), x31 = f * (g.x[3] - g.x[1]),
+               y31 = f * (g.y[3] - g.y[1]);
+  g.bx = {-y31, y20, y31, -y20};
+  g.by = {x31, -x20, -x31, x20};
   return g;
 }
 

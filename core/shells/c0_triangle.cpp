@@ -102,7 +102,7 @@ CornerForces triangle_forces(const ElementGeometry& g, const Resultants& r, doub
 {
   const Shear s = shear_of(g);
   const double a = g.area;
-  CornerForces c;
+  CornerForces c{};
   for (int k = 0; k < 3; ++k) {
     c.fx[k] = a * (g.bx[k] * r.force[0] + g.by[k] * (r.force[2] + 0.5 * r.drill));
     c.fy[k] = a * (g.by[k] * r.force[1] + g.bx[k] * (r.force[2] - 0.5 * r.drill));

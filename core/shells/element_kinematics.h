@@ -51,8 +51,8 @@ struct Resultants
 //! What the stresses of an element take from its corners.
 struct CornerForces
 {
-  PerCorner fx{}, fy{}, fz{}; //!< [N]
-  PerCorner mx{}, my{}, mz{}; //!< [N m]
+  PerCorner fx, fy, fz; //!< [N]
+  PerCorner mx, my, mz; //!< [N m]
 };
 
 //! Shear correction of a homogeneous plate: 5/6 of Reissner.

@@ -152,7 +152,9 @@ struct Viscous
 CornerMotion motion_in(const ElementGeometry& g, const std::array<Vector3, 4>& v,
                        const std::array<Vector3, 4>& w, int n)
 {
-  CornerMotion m{};
+  CornerMotion m;
+  if (n == 3)
+    m.vx[3] = m.vy[3] = m.vz[3] = m.wx[3] = m.wy[3] = m.wz[3] = 0;
   for (std::size_t k = 0; k < static_cast<std::size_t>(n); ++k) {
     const Vector3 local_v = g.axes.transpose() * (v[k] - v[0]), local_w = g.axes.transpose() * w[k];
     m.vx[k] = local_v[0];
