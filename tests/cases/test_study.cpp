@@ -245,10 +245,9 @@ TEST_CASE("every study of the catalogue stands for sound cases", "[cases][study]
       continue;
     INFO(entry.file);
     const Study study = read_study(entry.file);
-    CHECK(runs_of_study(study).size() >= 3);
-    CHECK_FALSE(study.plots.empty());
-    for (const StudyPlot& plot : study.plots)
-      CHECK((!plot.theory.empty() || plot.exact.has_value())); // marks alone say little
+    CHECK(runs_of_study(study).size() >= 2);
+    for (const StudyPlot& plot : study.plots) // marks alone say little
+      CHECK((!plot.theory.empty() || plot.exact.has_value() || !plot.history.empty()));
     ++studies;
     verification += entry.file.parent_path().filename() == "verification";
   }
