@@ -85,8 +85,6 @@ std::vector<Key> target_keys()
 
     {"target.material", number, "", false, {}, "a name of share/materials, or a file beside the case; required where the target is not rigid", SLOT(material), nullptr, &shells},
     {"target.failure", number, "", false, {}, "whether elements erode by the failure law of their material", SLOT(failure), nullptr, &shells},
-    {"target.parts.*.thickness", length, "mm", false, above(0), "thickness of the part, in place of that of the shape or the mesh", PART_SLOT(thickness), nullptr, &no_column},
-    {"target.parts.*.material", number, "", false, {}, "material of the part, in place of target.material", PART_SLOT(material), nullptr, &shells},
     {"target.points", number, "", false, within(2, 10), "integration points through the thickness", SLOT(points), nullptr, &shells},
     {"target.failed_share", number, "", false, above_within(0, 1), "of an element's points; it erodes when so many have failed", SLOT(failed_share), nullptr, &shells},
     {"target.hourglass", number, "", false, within(0, 1), "coefficient of hourglass stiffness", SLOT(hourglass), nullptr, &shells},
@@ -97,14 +95,16 @@ std::vector<Key> target_keys()
     {"target.spin", rotation, "rpm", false, {}, "steady rotation with its centrifugal pre-stress; supports turn along", SLOT(spin), nullptr, &shells},
     {"target.spin_axis", number, "", false, {}, "direction of the axis, right-handed", SLOT(spin_axis), nullptr, &shells},
     {"target.spin_centre", length, "m", false, {}, "a point of the axis", SLOT(spin_centre), nullptr, &shells},
-    {"target.supports.*.nodes", number, "", false, {}, "a node set of the target (plate: edges, top, ...), boundary for its free edges, or all; within the box if there is one", SUPPORT_SLOT(nodes), nullptr, &shells},
-    {"target.supports.*.low", length, "mm", false, {}, "corner of a box", SUPPORT_SLOT(low), nullptr, &shells},
-    {"target.supports.*.high", length, "mm", false, {}, "opposite corner", SUPPORT_SLOT(high), nullptr, &shells},
-    {"target.supports.*.fix", number, "", false, {}, "clamped, simply-supported, symmetry-x, -y, -z, or the held components, for example \"x z ry\"", SUPPORT_SLOT(fix), nullptr, &shells},
 
     {"target.contact", number, "", false, {}, "of a rigid plate: mirror takes the plate as the mirror of the flow; penalty holds particles by springs, as for every other target", SLOT(contact), contact_kinds, &rigid_plate},
     {"target.contact_stiffness", number, "", false, above(0), "factor on the stiffness derived from bulk modulus, spacing and thickness", SLOT(contact_stiffness), nullptr, &springs},
     {"target.friction", number, "", false, within(0, 2), "Coulomb's coefficient between bird and target", SLOT(friction), nullptr, &springs},
+    {"target.parts.*.thickness", length, "mm", false, above(0), "thickness of the part, in place of that of the shape or the mesh", PART_SLOT(thickness), nullptr, &no_column},
+    {"target.parts.*.material", number, "", false, {}, "material of the part, in place of target.material", PART_SLOT(material), nullptr, &shells},
+    {"target.supports.*.nodes", number, "", false, {}, "a node set of the target (plate: edges, top, ...), boundary for its free edges, or all; within the box if there is one", SUPPORT_SLOT(nodes), nullptr, &shells},
+    {"target.supports.*.low", length, "mm", false, {}, "corner of a box", SUPPORT_SLOT(low), nullptr, &shells},
+    {"target.supports.*.high", length, "mm", false, {}, "opposite corner", SUPPORT_SLOT(high), nullptr, &shells},
+    {"target.supports.*.fix", number, "", false, {}, "clamped, simply-supported, symmetry-x, -y, -z, or the held components, for example \"x z ry\"", SUPPORT_SLOT(fix), nullptr, &shells},
 
     {"deflections.*.at", length, "mm", true, {}, "place on the target before the load; the displacement of the nearest node along the flight goes into histories.csv", POINT_SLOT(at), nullptr, &shells},
   };
