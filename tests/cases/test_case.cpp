@@ -190,7 +190,7 @@ TEST_CASE("what is wrong in a case is named with file, line and key", "[cases][c
         "case.toml:10: target.plate.elements = [10]: a list of two integers is needed");
   CHECK(complaint(replaced(box_case, "[\"0.5 m\", \"0.4 m\"]", "[\"0.5 m\", 0.4]"))
             .find("a length is needed, for example \"6 mm\"; the unit is missing") != std::string::npos);
-  CHECK(complaint(replaced(box_case, "[run]", "rigid = false\n[run]")).find("not available yet") !=
+  CHECK(complaint(replaced(box_case, "[run]", "rigid = false\n[run]")).find("target.material is missing") !=
         std::string::npos);
   CHECK(complaint(replaced(box_case, "[run]", "rigid = 1\n[run]")).find("true or false is needed") !=
         std::string::npos);
