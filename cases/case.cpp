@@ -341,7 +341,7 @@ Case read_case_with(const std::filesystem::path& file, const std::vector<Entry>&
     parsed.run.viscosity.linear = usual.linear;
   if (!given.contains("run.viscosity_quadratic"))
     parsed.run.viscosity.quadratic = usual.quadratic;
-  complete_target(parsed);
+  complete_target(parsed, given.contains("target.contact"));
   check_tables(parsed, file.string());
   if (is_column(parsed))
     complete_column(parsed, given.contains("run.end"));

@@ -89,12 +89,14 @@ void check_supports(const Case& parsed)
 
 } // namespace
 
-void complete_target(Case& parsed)
+void complete_target(Case& parsed, bool contact_given)
 {
   TargetCase& target = parsed.target;
   const std::string file = parsed.file.string();
   if (is_column(parsed))
     return;
+  if (!contact_given && target.shape != "plate")
+    target.contact = "penalty";
   if (target.rigid)
     return;
   if (target.material.empty() &&
