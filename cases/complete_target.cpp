@@ -95,7 +95,7 @@ void complete_target(Case& parsed, bool contact_given)
   const std::string file = parsed.file.string();
   if (is_column(parsed))
     return;
-  if (!contact_given && target.shape != "plate")
+  if (!contact_given && (target.shape != "plate" || !target.rigid))
     target.contact = "penalty";
   if (target.rigid)
     return;

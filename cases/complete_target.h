@@ -6,8 +6,9 @@
 
 namespace birdstrike {
 
-//! Contact by springs where none is given, but for a plate, which mirrors. Usual supports where none are given: a plate and a panel are clamped along their edges, a leading edge at spar and
-//! ribs, a blade at its root; none where target.free is true.
+//! Contact by springs where none is given, but for a rigid plate, which mirrors. Usual supports where none are given: a plate
+//! and a panel are clamped along their edges, a leading edge at spar and ribs, a blade at its root; none where target.free
+//! is true.
 //! \throw InputError naming the key: a moving target without material, a mesh without supports, a support without nodes or
 //!        with a component that is none, supports of a free target, a spin without axis or of a free target, a deflection
 //!        whose name does not do for a title

@@ -98,7 +98,7 @@ std::vector<Key> target_keys()
     {"target.spin_axis", number, "", true, {}, "direction of the axis, right-handed", SLOT(spin_axis), nullptr, &spinning},
     {"target.spin_centre", length, "m", true, {}, "a point of the axis", SLOT(spin_centre), nullptr, &spinning},
     {"target.free", number, "", false, {}, "true: nothing holds the target; else, where no supports are given, a plate and a windshield are clamped at their edges, a leading edge at spar and ribs, a blade at its root", SLOT(free), nullptr, &shells},
-    {"target.contact", number, "", false, {}, "mirror: the surface is the mirror of the flow in front of it, and springs stop who comes too near all the same; penalty: springs alone, as other codes have them; mirror if not given for a plate, for every other shape penalty, which keeps the energy better where a surface bends within a few particles", SLOT(contact), contact_kinds, &no_column},
+    {"target.contact", number, "", false, {}, "mirror: the surface is the mirror of the flow in front of it, and springs stop who comes too near all the same; penalty: springs alone, as other codes have them; if not given, mirror for a rigid plate and for every other target penalty, which keeps the energy however it bends and breaks", SLOT(contact), contact_kinds, &no_column},
     {"target.contact_stiffness", number, "", false, above(0), "factor on the stiffness of the springs, which is derived from bulk modulus, spacing and thickness", SLOT(contact_stiffness), nullptr, &no_column},
     {"target.friction", number, "", false, within(0, 2), "Coulomb's coefficient between bird and target; acts through the springs: for target.contact = \"penalty\"", SLOT(friction), nullptr, &springs},
 

@@ -63,12 +63,14 @@ TEST_CASE("targets without supports are held as they usually are", "[cases][targ
   CHECK(support_nodes(plate).empty()); // rigid
 }
 
-TEST_CASE("every target is the mirror of the flow unless springs alone are wanted", "[cases][target]")
+TEST_CASE("a rigid plate mirrors the flow and other targets do not, unless the case says so",
+          "[cases][target]")
 {
   const scratch::Folder folder;
   for (const std::string& target : {std::string(plate), soft_plate(), shape("windshield")}) {
     INFO(target);
-    CHECK(read(folder, target).target.contact == "mirror");
+    CHECK(read(folder, target).target.contact == (target == plate ? "mirror" : "penalty"));
+    CHECK(read(folder, target + "contact = \"mirror\"\n").target.contact == "mirror");
     CHECK(read(folder, target + "contact = \"penalty\"\nfriction = 0.2\n").target.contact == "penalty");
   }
 }

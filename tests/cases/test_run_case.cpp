@@ -231,7 +231,7 @@ TEST_CASE("a target that bends leaves its frames, histories and numbers", "[case
     CHECK(target.at("max_deflection").get<double>() == *peak);
     CHECK(target.at("max_deflection_time").get<double>() ==
           histories.at("time[s]")[std::size_t(peak - deflection.begin())]);
-    CHECK(target.at("permanent_set").get<double>() <= *peak);
+    CHECK(target.at("permanent_set").get<double>() <= *peak * (1 + 1e-12)); // still moving: the same moment
     CHECK(target.at("mass").get<double>() == Approx(2700 * 0.2 * 0.3 * 0.002));
     CHECK(target.at("leaked_particles") == 0);
     CHECK(target.at("eroded_elements").get<double>() == histories.at("eroded_elements[-]").back());
