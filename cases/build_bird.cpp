@@ -9,6 +9,7 @@
 #include "geometry/check.h"
 #include "geometry/fill.h"
 #include "geometry/import/read_mesh.h"
+#include "geometry/part_of_object.h"
 #include "geometry/place.h"
 
 #include <fmt/format.h>

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Solids into particles on an equal-spaced lattice.
+// Solids into particles: rows of a lattice, cut by the surfaces.
 #include "geometry/fill.h"
 
 #include "core/error.h"
-#include "geometry/inside.h"
+#include "core/format_text.h"
 #include "geometry/measure.h"
+#include "geometry/relax.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdio>
 #include <exception>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <unistd.h>
@@ -21,100 +23,183 @@ namespace {
 constexpr double bytes_per_particle = 600; // state, neighbour list and output of a run; an upper figure
 constexpr double memory_share = 0.8;       // of the machine's memory that a run may take
 constexpr double snap_share = 0.05;        // of the spacing: a box this near to y = 0 is taken as symmetric
+constexpr double widest_gap = 1.5;         // spacings between parts that were meant to touch
+constexpr double most_lines = 1500;       // across the longest side, to measure what the parts have
+constexpr int tries_for_count = 12;        // spacings tried to meet a number of particles
+constexpr std::size_t most_parts = 255;    // parts are bytes
+constexpr int along = 1;                   // rows of the lattice run along y, within layers across x
 
-template <class... Values>
-std::string text(const char* format, Values... values)
+struct Named
 {
-  char buffer[400];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return buffer;
-}
+  std::string_view name;
+  Lattice lattice;
+};
+constexpr std::array lattices{Named{"cubic", cubic_lattice}, Named{"fcc", fcc_lattice},
+                              Named{"leaning", leaning_lattice}};
 
 double physical_memory() // [bytes]
 {
   return double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
 }
 
-//! Lattice points along one axis: cells of one spacing, centred on the box.
+//! Points low + (i + shift) step along one axis; for a shift of zero they lie evenly about the middle of the box.
 struct Axis
 {
-  double centre, spacing;
+  double step, centre;
   long count;
-  Axis(double lower, double upper, double spacing)
-      : centre(0.5 * (lower + upper)),
-        spacing(spacing),
-        count(std::max(1l, std::lround((upper - lower) / spacing)))
+  Axis(double lower, double upper, double step, bool may_snap = false)
+      : step(step), centre(0.5 * (lower + upper))
   {
+    if (may_snap && std::abs(centre) < snap_share * step)
+      centre = 0;
+    count = std::max(1l, std::lround((upper - lower) / step));
   }
-  double at(long i) const { return centre + 0.5 * spacing * double(2 * i - (count - 1)); }
-  long first_from(double x) const // smallest i with at(i) >= x, within a cell
+  double at(long i, double shift) const // exactly symmetric without a shift
   {
-    return std::clamp(long(std::floor((x - at(0)) / spacing)), 0l, count);
+    return centre + 0.5 * step * (double(2 * i - (count - 1)) + 2 * shift);
   }
-  long end_before(double x) const
+  long first_from(double x, double shift) const
   {
-    return std::clamp(long(std::floor((x - at(0)) / spacing)) + 2, 0l, count);
+    long i = long(std::ceil((x - centre) / step + 0.5 * double(count - 1) - shift));
+    i -= at(i - 1, shift) >= x;
+    return i + (at(i, shift) < x);
   }
 };
 
-//! Volume of every object less the objects that lie wholly within it.
-std::vector<double> exclusive_volumes(const SurfaceMesh& mesh, const std::vector<Inside>& insides,
-                                      const std::vector<double>& volumes)
+class LatticeFill
 {
-  std::vector<double> exclusive = volumes;
-  for (std::size_t i = 0; i < mesh.size(); ++i) {
-    std::size_t holder = mesh.size(); // the smallest object around object i
-    for (std::size_t j = 0; j < mesh.size(); ++j) {
-      if (j == i || volumes[j] <= volumes[i] || (holder < mesh.size() && volumes[j] >= volumes[holder]))
-        continue;
-      if (std::all_of(mesh[i].points.begin(), mesh[i].points.end(),
-                      [&](const Vector3& p) { return insides[j].contains(p); }))
-        holder = j;
-    }
-    if (holder < mesh.size())
-      exclusive[holder] -= volumes[i];
+public:
+  LatticeFill(const Solids& solids, const std::vector<std::uint8_t>& part_of, const Lattice& lattice,
+              double spacing)
+      : solids_(solids), part_of_(part_of), lattice_(lattice),
+        x_(solids.box().lower.x(), solids.box().upper.x(), spacing * lattice.layer),
+        y_(solids.box().lower.y(), solids.box().upper.y(), spacing * lattice.side, true),
+        z_(solids.box().lower.z(), solids.box().upper.z(), spacing * lattice.side)
+  {
   }
-  return exclusive;
-}
 
-//! An object with its part, in the order in which objects may claim a point.
-struct Claim
-{
-  std::size_t object;
-  std::uint8_t part;
+  std::vector<Seed> seeds() const
+  {
+    std::vector<std::vector<Seed>> layers(x_.count);
+    over_layers([&](long layer) {
+      rows(layer, [&](const Vector3& at, std::uint8_t part) { layers[layer].push_back({at, part}); });
+    });
+    std::vector<Seed> all;
+    all.reserve(std::accumulate(layers.begin(), layers.end(), std::size_t(0),
+                                [](std::size_t sum, const auto& layer) { return sum + layer.size(); }));
+    for (auto& layer : layers) {
+      all.insert(all.end(), layer.begin(), layer.end());
+      layer = {};
+    }
+    return all;
+  }
+
+  std::size_t count() const
+  {
+    std::vector<std::size_t> layers(x_.count);
+    over_layers([&](long layer) { rows(layer, [&](const Vector3&, std::uint8_t) { ++layers[layer]; }); });
+    return std::accumulate(layers.begin(), layers.end(), std::size_t(0));
+  }
+
+private:
+  template <class Use>
+  void over_layers(Use&& use) const
+  {
+    std::exception_ptr failure;
+#pragma omp parallel for schedule(dynamic)
+    for (long layer = 0; layer < x_.count; ++layer)
+      try {
+        use(layer);
+      } catch (...) { // must not leave a parallel loop
+#pragma omp critical
+        failure = std::current_exception();
+      }
+    if (failure)
+      std::rethrow_exception(failure);
+  }
+
+  template <class Use>
+  void rows(long layer, Use&& use) const
+  {
+    const double x = x_.at(layer, 0);
+    const auto shift = [&](double per_layer) {
+      const double s = double(layer) * per_layer;
+      return s - std::floor(s);
+    };
+    const double shift_y = shift(lattice_.shift_y), shift_z = shift(lattice_.shift_z);
+    std::vector<Span> spans;
+    for (long k = -1; k <= z_.count; ++k) {
+      const double z = z_.at(k, shift_z);
+      solids_.spans(z, x, spans);
+      for (const Span& span : spans)
+        for (long j = y_.first_from(span.from, shift_y); y_.at(j, shift_y) < span.to; ++j)
+          use(Vector3(x, y_.at(j, shift_y), z), part_of_[span.object]);
+    }
+  }
+
+  const Solids& solids_;
+  const std::vector<std::uint8_t>& part_of_;
+  Lattice lattice_;
+  Axis x_, y_, z_;
 };
 
-constexpr std::uint8_t nobody = 255;
-
-//! Seeds with the same z. The first claim that contains a point gets it.
-void fill_layer(const std::vector<Claim>& claims, const std::vector<Inside>& insides, const Axis& along_x,
-                const Axis& along_y, double z, std::vector<Seed>& seeds)
+//! Spacing that gives the number of particles wanted as nearly as whole cells can.
+double spacing_for(std::size_t wanted, double volume, const std::function<std::size_t(double)>& count)
 {
-  std::vector<std::uint8_t> owner(along_x.count);
-  for (long j = 0; j < along_y.count; ++j) {
-    const double y = along_y.at(j);
-    std::fill(owner.begin(), owner.end(), nobody);
-    for (const Claim& claim : claims) {
-      const Inside& inside = insides[claim.object];
-      const Box& box = inside.box();
-      if (y < box.lower.y() || y > box.upper.y() || z < box.lower.z() || z > box.upper.z())
-        continue;
-      const long end = along_x.end_before(box.upper.x());
-      for (long i = along_x.first_from(box.lower.x()); i < end; ++i)
-        if (owner[i] == nobody && inside.contains({along_x.at(i), y, z}))
-          owner[i] = claim.part;
+  double best = std::cbrt(volume / double(wanted)), spacing = best;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < tries_for_count; ++i) {
+    const auto found = double(std::max<std::size_t>(1, count(spacing)));
+    const double off = std::abs(found - double(wanted));
+    if (off < nearest) {
+      nearest = off;
+      best = spacing;
     }
-    for (long i = 0; i < along_x.count; ++i)
-      if (owner[i] != nobody)
-        seeds.push_back({{along_x.at(i), y, z}, owner[i]});
+    if (off == 0)
+      break;
+    spacing *= std::cbrt(found / double(wanted));
+    if (i % 3 == 2) // the count jumps where rows enter: look beside the best so far
+      spacing = best * (1 + 1e-3 * (i % 2 ? 1 : -1) * double(i));
   }
+  return best;
 }
 
-//! Twice volume over area is the thickness of a plate, and 2/3 of that of a rod or a ball's 1/3: a fair
-//! length.
+//! Twice volume over area is the thickness of a plate, and 2/3 of that of a rod or a ball's 1/3: a fair length.
 double typical_thickness(const SurfacePart& part) { return 2 * signed_volume(part) / surface_area(part); }
 
+void require_all_filled(const Fill& fill, const SurfaceMesh& mesh, const std::vector<std::uint8_t>& part_of,
+                        double spacing)
+{
+  for (std::size_t p = 0; p < fill.parts.size(); ++p) {
+    if (fill.parts[p].particles > 0)
+      continue;
+    double thickness = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < mesh.size(); ++i)
+      if (part_of[i] == p)
+        thickness = std::min(thickness, typical_thickness(mesh[i]));
+    throw InputError(format_text("part '%s' is about %.3g mm thick and gets no particle at a spacing of %.4g mm; use a "
+                          "spacing of %.2g mm or less, or leave the part out of the mesh",
+                          fill.parts[p].name.c_str(), 1e3 * thickness, 1e3 * spacing, 1e3 * thickness / 2));
+  }
+}
+
 } // namespace
+
+std::vector<std::string> lattice_names()
+{
+  std::vector<std::string> names;
+  for (const Named& named : lattices)
+    names.emplace_back(named.name);
+  return names;
+}
+
+Lattice lattice_named(std::string_view name)
+{
+  for (const Named& named : lattices)
+    if (named.name == name)
+      return named.lattice;
+  throw InputError("there is no lattice '" + std::string(name) + "'; known are cubic, fcc and leaning");
+}
 
 void require_memory(double volume, double length, double spacing)
 {
@@ -125,90 +210,74 @@ void require_memory(double volume, double length, double spacing)
     return;
   const double fits = 1.01 * std::cbrt(volume / allowed);
   throw InputError(
-      text("a spacing of %.4g mm would make about %.3g particles, which need %.3g GB where the machine "
+      format_text("a spacing of %.4g mm would make about %.3g particles, which need %.3g GB where the machine "
            "has %.3g GB; the bird is %.4g m long and holds %.4g m3 (is its unit right?); a spacing of "
            "%.4g mm or more fits",
            1e3 * spacing, count, 1e-9 * count * bytes_per_particle, 1e-9 * physical_memory(), length, volume,
            1e3 * fits));
 }
 
-Fill fill_lattice(const SurfaceMesh& mesh, const std::vector<std::string>& part_of, double spacing)
+Fill fill_mesh(const SurfaceMesh& mesh, const std::vector<std::string>& part_of, const FillOptions& options)
 {
-  require(std::isfinite(spacing) && spacing > 0,
-          text("the particle spacing is %g m; it must be positive", spacing));
-  require(!mesh.empty(), "the mesh holds no solid to fill");
+  const bool by_count = options.particles > 0;
+  require(by_count || (std::isfinite(options.spacing) && options.spacing > 0),
+          format_text("the particle spacing is %g m; it must be positive", options.spacing));
   require(part_of.size() == mesh.size(), "every object of the mesh needs the name of its part");
 
-  std::vector<double> volumes;
-  for (const SurfacePart& object : mesh) {
-    volumes.push_back(signed_volume(object));
-    require(volumes.back() > 0,
-            "object '" + object.name + "' encloses no volume or is inside out; flip its normals");
-  }
-  Box box = bounding_box(mesh);
-  require_memory(std::accumulate(volumes.begin(), volumes.end(), 0.0), (box.upper - box.lower).maxCoeff(),
-                 spacing);
-
   Fill fill;
-  fill.spacing = spacing;
-  std::vector<Claim> claims;
-  for (std::size_t i = 0; i < mesh.size(); ++i) {
+  fill.lattice = lattice_named(options.lattice);
+  std::vector<std::uint8_t> part_row;
+  for (const std::string& name : part_of) {
     const auto at = std::find_if(fill.parts.begin(), fill.parts.end(),
-                                 [&](const FilledPart& p) { return p.name == part_of[i]; });
-    claims.push_back({i, std::uint8_t(at - fill.parts.begin())});
+                                 [&](const FilledPart& p) { return p.name == name; });
+    part_row.push_back(std::uint8_t(at - fill.parts.begin()));
     if (at == fill.parts.end())
-      fill.parts.push_back({part_of[i], 0, 0});
-    require(fill.parts.size() < nobody,
+      fill.parts.push_back({.name = name});
+    require(fill.parts.size() < most_parts,
             "the mesh has more than 254 parts; give objects of one material one part");
   }
-  // An inner solid is smaller than the one around it, so that one order serves both rules.
-  std::stable_sort(claims.begin(), claims.end(),
-                   [&](const Claim& a, const Claim& b) { return volumes[a.object] < volumes[b.object]; });
 
-  std::vector<Inside> insides;
+  const Solids solids(mesh, along);
+  double whole = 0;
   for (const SurfacePart& object : mesh)
-    insides.emplace_back(object);
-  const std::vector<double> exclusive = exclusive_volumes(mesh, insides, volumes);
-  for (const Claim& claim : claims)
-    fill.parts[claim.part].mesh_volume += exclusive[claim.object];
+    whole += signed_volume(object);
+  const double length = (solids.box().upper - solids.box().lower).maxCoeff();
+  const double first_spacing = by_count ? std::cbrt(whole / double(options.particles)) : options.spacing;
+  require_memory(whole, length, first_spacing);
 
-  Axis along_x(box.lower.x(), box.upper.x(), spacing), along_y(box.lower.y(), box.upper.y(), spacing),
-      along_z(box.lower.z(), box.upper.z(), spacing);
-  if (std::abs(along_y.centre) < snap_share * spacing)
-    along_y.centre = 0;
-
-  std::vector<std::vector<Seed>> layers(along_z.count);
-  std::exception_ptr failure;
-#pragma omp parallel for schedule(dynamic)
-  for (long k = 0; k < along_z.count; ++k)
-    try {
-      fill_layer(claims, insides, along_x, along_y, along_z.at(k), layers[k]);
-    } catch (...) { // must not leave a parallel loop
-#pragma omp critical
-      failure = std::current_exception();
-    }
-  if (failure)
-    std::rethrow_exception(failure);
-
-  for (auto& layer : layers) {
-    for (const Seed& seed : layer)
-      ++fill.parts[seed.part].particles;
-    fill.seeds.insert(fill.seeds.end(), layer.begin(), layer.end());
-    layer = {};
+  const double step = std::max(0.5 * first_spacing, length / most_lines);
+  const Solids::Shares shares = solids.shares(part_of, step, widest_gap * first_spacing);
+  fill.overlaps = shares.overlaps;
+  fill.gaps = shares.gaps;
+  double volume = 0;
+  for (std::size_t i = 0; i < mesh.size(); ++i) {
+    fill.parts[part_row[i]].body += shares.of[i];
+    volume += shares.of[i].amount;
   }
-  for (std::size_t p = 0; p < fill.parts.size(); ++p) {
-    if (fill.parts[p].particles > 0)
-      continue;
-    double thickness = std::numeric_limits<double>::infinity();
-    for (const Claim& claim : claims)
-      if (claim.part == p)
-        thickness = std::min(thickness, typical_thickness(mesh[claim.object]));
-    throw InputError(
-        text("part '%s' is about %.3g mm thick and gets no particle at a spacing of %.4g mm; use a "
-             "spacing of %.2g mm or less, or leave the part out of the mesh",
-             fill.parts[p].name.c_str(), 1e3 * thickness, 1e3 * spacing, 1e3 * thickness / 2));
-  }
+  for (FilledPart& part : fill.parts)
+    part.mesh_volume = part.body.amount;
+
+  const auto lattice = [&](double spacing) { return LatticeFill(solids, part_row, fill.lattice, spacing); };
+  fill.spacing = !by_count       ? options.spacing
+                 : options.relax ? std::cbrt(volume / double(options.particles))
+                                 : spacing_for(options.particles, volume,
+                                               [&](double spacing) { return lattice(spacing).count(); });
+  fill.seeds = lattice(fill.spacing).seeds();
+  for (FilledPart& part : fill.parts)
+    part.particle_volume = std::pow(fill.spacing, 3);
+  if (options.relax)
+    relax(fill, solids, part_row, options.smoothing);
+  for (FilledPart& part : fill.parts)
+    part.particles = 0;
+  for (const Seed& seed : fill.seeds)
+    ++fill.parts[seed.part].particles;
+  require_all_filled(fill, mesh, part_row, fill.spacing);
   return fill;
+}
+
+Fill fill_lattice(const SurfaceMesh& mesh, const std::vector<std::string>& part_of, double spacing)
+{
+  return fill_mesh(mesh, part_of, {.spacing = spacing});
 }
 
 } // namespace birdstrike

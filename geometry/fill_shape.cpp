@@ -90,7 +90,7 @@ Fill fill_shape(std::string_view shape, const ShapeSize& size, double spacing, c
                   1e3 * std::min(size.diameter, size.length) / fewest_across);
     throw InputError(text);
   }
-  fill.parts.push_back({part, fill.seeds.size(), volume});
+  fill.parts.push_back({part, fill.seeds.size(), volume, cell, {}});
   return fill;
 }
 
@@ -118,7 +118,8 @@ Fill fill_column(const std::vector<std::pair<std::string, int>>& layers, int col
               {spacing * Vector3(-0.5 - double(layer), j - 0.5 * (columns - 1), k - 0.5 * (columns - 1)),
                std::uint8_t(part)});
     const std::size_t count = fill.seeds.size() - before;
-    fill.parts.push_back({layers[part].first, count, double(count) * spacing * spacing * spacing});
+    const double cell = spacing * spacing * spacing;
+    fill.parts.push_back({layers[part].first, count, double(count) * cell, cell, {}});
   }
   return fill;
 }

@@ -1,37 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Is a point inside a closed surface? Exact predicates, built once a part and asked many times.
+// Is a point inside a closed surface? Built once a part and asked many times.
 #pragma once
 
-#include "geometry/measure.h"
-#include "geometry/surface_mesh.h"
+#include "geometry/columns.h"
 
 #include <cstdint>
-#include <memory>
+#include <vector>
 
 namespace birdstrike {
 
+//! Inside is where the surface winds around a point. A point on the surface belongs to one side of it, so that bodies that
+//! share a face share no point.
 class Inside
 {
 public:
-  //! \param part  a closed surface that passed require_solids; orientation does not matter
-  //! \throw InputError if the surface is open or not manifold
-  explicit Inside(const SurfacePart& part);
-  ~Inside();
-  Inside(Inside&&) noexcept;
+  //! \throw InputError if the surface is open or not consistently wound
+  explicit Inside(const SurfacePart& part) : columns_(part, 0) {}
 
-  //! True inside and on the surface. May be called from many threads at once.
-  bool contains(const Vector3& point) const;
+  //! May be called from many threads at once.
+  bool contains(const Vector3& point) const { return columns_.winding(point) != 0; }
 
-  //! 1 inside or on the surface, 0 outside; one entry a point. Points that follow each other along a line are
-  //! the fastest, because they visit the same branches of the tree.
+  //! 1 inside, 0 outside; one entry a point.
   std::vector<std::uint8_t> contains(const std::vector<Vector3>& points) const;
 
-  const Box& box() const { return box_; }
+  const Box& box() const { return columns_.box(); }
 
 private:
-  struct Tree;
-  std::unique_ptr<Tree> tree_;
-  Box box_;
+  Columns columns_;
 };
 
 } // namespace birdstrike

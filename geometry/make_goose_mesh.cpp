@@ -5,6 +5,7 @@
 #include "geometry/check.h"
 #include "geometry/fill.h"
 #include "geometry/measure.h"
+#include "geometry/part_of_object.h"
 #include "geometry/write_glb.h"
 
 #include <cstdio>

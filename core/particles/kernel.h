@@ -24,10 +24,14 @@ inline double kernel_slope(double r, double h)
   return scale * (q < 1 ? -3 + 2.25 * q : -0.75 * (2 - q) * (2 - q) / q);
 }
 
-//! Square layers, stacked along the flight direction at equal spacing, each shifted sideways against the one before it.
+//! Square layers, stacked along the flight direction, each shifted sideways against the one before it. Lengths are in
+//! spacings, the cube roots of the volume that a particle stands for.
 struct Lattice
 {
-  double shift_y = 0, shift_z = 0; //!< in spacings; both 0: simple cubic
+  double shift_y = 0, shift_z = 0; //!< in sides; both 0: simple cubic
+  double layer = 1;                //!< distance of layers
+  double side = 1;                 //!< of a layer's squares; side^2 layer = 1
+  double counted = 0; //!< mean of sum V W over particles that are on no lattice any more (relaxed); 0: a lattice's
 };
 
 //! Simple cubic, as CAD birds are filled.
@@ -38,17 +42,23 @@ inline constexpr Lattice cubic_lattice{};
 //! 2 - the golden ratio, and one that keeps the counted density of layers pressed together by 0 ... 12 % within 0.12 %.
 inline constexpr Lattice leaning_lattice{0.382, 0.173};
 
+//! Close-packed (face-centred cubic), its square layers across the flight: side 2^(1/6), layers 2^(-1/3) apart.
+inline constexpr Lattice fcc_lattice{0.5, 0.5, 0.79370052598409974, 1.1224620483093730};
+
 //! sum V W over a lattice with h = \p smoothing spacings; 1 but for the error of the sum [-].
 inline double lattice_sum(double smoothing, const Lattice& lattice = cubic_lattice)
 {
-  const int reach = static_cast<int>(std::ceil(2 * smoothing));
+  if (lattice.counted > 0)
+    return lattice.counted;
+  const int layers = static_cast<int>(std::ceil(2 * smoothing / lattice.layer)),
+            reach = static_cast<int>(std::ceil(2 * smoothing / lattice.side)) + 1;
   double sum = 0;
-  for (int i = -reach; i <= reach; ++i) {
-    const double y = i * lattice.shift_y - std::round(i * lattice.shift_y),
+  for (int i = -layers; i <= layers; ++i) {
+    const double x = i * lattice.layer, y = i * lattice.shift_y - std::round(i * lattice.shift_y),
                  z = i * lattice.shift_z - std::round(i * lattice.shift_z);
-    for (int j = -reach - 1; j <= reach + 1; ++j)
-      for (int k = -reach - 1; k <= reach + 1; ++k)
-        sum += kernel(std::sqrt(i * i + (j + y) * (j + y) + (k + z) * (k + z)), smoothing);
+    for (int j = -reach; j <= reach; ++j)
+      for (int k = -reach; k <= reach; ++k)
+        sum += kernel(std::hypot(x, (j + y) * lattice.side, (k + z) * lattice.side), smoothing);
   }
   return sum;
 }

@@ -5,6 +5,7 @@
 #include "geometry/fill.h"
 #include "geometry/import/read_mesh.h"
 #include "geometry/inside.h"
+#include "geometry/part_of_object.h"
 #include "temporary_folder.h"
 
 #include <algorithm>

@@ -20,13 +20,18 @@ TEST_CASE("points of a grid are inside a box exactly where they should be", "[ge
   CHECK(box.contains(points) == expected);
 }
 
-TEST_CASE("the surface belongs to the inside", "[geometry][inside]")
+TEST_CASE("bodies that share a face share no point and leave none out", "[geometry][inside]")
 {
-  const Inside box(make_box({1, 1, 1}));
-  CHECK(box.contains({0.5, 0, 0}));
-  CHECK(box.contains({0.5, 0.5, 0.5}));
-  CHECK(box.contains({0, 0, 0}));
-  CHECK_FALSE(box.contains({0.5 + 1e-12, 0, 0}));
+  SurfaceMesh halves{make_box({1, 1, 1}), make_box({1, 1, 1})};
+  for (Vector3& p : halves[1].points)
+    p += Vector3(1, 0, 0);
+  const Inside left(halves[0]), right(halves[1]);
+  for (double y = -0.375; y < 0.5; y += 0.125) // diagonals and edges of the shared face's triangles
+    for (double z = -0.375; z < 0.5; z += 0.125)
+      CHECK(left.contains({0.5, y, z}) != right.contains({0.5, y, z}));
+  CHECK(left.contains({0, 0, 0}));
+  CHECK_FALSE(left.contains({0.5 + 1e-12, 0, 0}));
+  CHECK(left.contains({0.5 - 1e-12, 0, 0}));
 }
 
 TEST_CASE("a cavity is outside", "[geometry][inside]")

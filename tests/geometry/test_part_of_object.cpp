@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Names of CAD objects and the parts that they mean.
-#include "geometry/fill.h"
+#include "geometry/part_of_object.h"
 #include "temporary_folder.h"
 
 using namespace birdstrike;

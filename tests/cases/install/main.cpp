@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Calls the installed libraries.
 #include "core/material/porous_bird.h"
-#include "geometry/fill.h"
+#include "geometry/part_of_object.h"
 
 #include <iostream>
 
