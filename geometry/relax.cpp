@@ -15,12 +15,17 @@ namespace birdstrike {
 
 namespace {
 
-constexpr int rounds = 400;              // of shifts, at most
-constexpr double mobility = 0.5;         // shift = -mobility h^2 grad C, near the largest that does not ring
-constexpr double longest_shift = 0.1;    // spacings
-constexpr double even_enough = 0.004;    // root mean square of C at which it ends
-constexpr int lines_a_cell = 4;          // each way, to cut a cell of the bird's own space
-constexpr double apart = 2.0;            // spacings between particles that are added or removed together
+// On a cubic lattice the most even state comes after some thirty rounds; then, slowly, particles pair up, because the
+// cubic spline hardly tells two near particles from one of twice the volume. The close-packed lattice stays. So the
+// best state is kept, and patience is short.
+constexpr int rounds = 200;           // of shifts, at most
+constexpr int patience = 12;          // rounds without a better state
+constexpr double better = 0.995;      // times the best deviation so far
+constexpr double mobility = 0.5;      // shift = -mobility h^2 grad C, near the largest that does not ring
+constexpr double longest_shift = 0.1; // spacings
+constexpr int lines_a_cell = 4;       // each way, to cut a cell of the bird's own space
+constexpr double apart = 2.0;         // spacings between particles that are added or removed together
+constexpr int rounds_of_numbers = 100;
 
 //! The bird's own space as cells of one spacing, cut by the surface: volume and middle of what lies inside.
 struct Space
@@ -104,14 +109,17 @@ public:
   void run()
   {
     match_numbers();
-    double before = INFINITY;
-    for (int round = 0; round < rounds; ++round) {
-      const double deviation = shift(round);
-      if (deviation < even_enough || (round % 50 == 49 && deviation > 0.98 * before))
-        break;
-      if (round % 50 == 49)
-        before = deviation;
+    double best = INFINITY;
+    std::vector<Vector3> most_even;
+    for (int round = 0, since = 0; round < rounds && since < patience; ++round, ++since) {
+      const std::vector<Vector3> before = at_;
+      if (const double deviation = shift(); deviation < better * best) {
+        best = deviation;
+        most_even = before;
+        since = 0;
+      }
     }
+    at_ = std::move(most_even);
     finish();
   }
 
@@ -155,7 +163,7 @@ private:
     std::vector<long> have(fill_.parts.size());
     for (std::uint8_t part : part_)
       ++have[part];
-    for (int round = 0; round < 100; ++round) {
+    for (int round = 0; round < rounds_of_numbers; ++round) {
       long missing = 0;
       for (std::size_t p = 0; p < have.size(); ++p)
         missing += std::abs(wanted_[p] - have[p]);
@@ -236,7 +244,7 @@ private:
   }
 
   // One shift of all particles; returns the root mean square of what they counted too much before it.
-  double shift(int)
+  double shift()
   {
     const PointGrid grid(at_, 2 * h_);
     std::vector<Vector3> to(at_.size());
@@ -284,11 +292,8 @@ private:
     for (std::size_t i = 0; i < at_.size(); ++i)
       counted += deep[i] * value[i];
     fill_.lattice.counted = inner > 0 ? 1 + counted / inner : 1;
-    // Parts one after another, along the flight within each: what is near in space is near in memory.
-    std::vector<std::uint32_t> order(at_.size());
-    std::iota(order.begin(), order.end(), 0u);
     fill_.seeds.clear();
-    for (std::uint32_t i : order)
+    for (std::size_t i = 0; i < at_.size(); ++i)
       fill_.seeds.push_back({at_[i], part_[i]});
   }
 
