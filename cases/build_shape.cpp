@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cases/build_shape.h"
 
+#include "cases/shape_parts_case.h"
 #include "core/error.h"
 
 #include <fmt/format.h>
@@ -18,7 +19,7 @@ std::vector<std::string> bird_shape_names()
 ShapeSize size_of_shape(const Case& parsed)
 {
   const BirdCase& bird = parsed.bird;
-  const double density = reference_density(natural_law(parsed, bird.parts.at(0)));
+  const double density = mean_density(parsed);
   try {
     return shape_size(bird.shape, bird.mass, density, bird.length_over_diameter);
   } catch (const InputError& error) {
@@ -32,7 +33,9 @@ Fill fill_of_shape(const Case& parsed)
   if (!is_column(parsed)) {
     const ShapeSize size = size_of_shape(parsed);
     try {
-      return fill_shape(bird.shape, size, bird.spacing, bird.parts.at(0).name);
+      Fill fill = fill_shape(bird.shape, size, bird.spacing, bird.parts.at(0).name);
+      give_parts(parsed, size, fill);
+      return fill;
     } catch (const InputError& error) {
       throw InputError(fmt::format("{}: bird.spacing: {}", parsed.file.string(), error.what()));
     }

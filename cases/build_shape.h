@@ -7,12 +7,12 @@
 
 namespace birdstrike {
 
-//! Size of the bird of bird.shape, not of a column: V = bird.mass / density of the part's porosity.
+//! Size of the bird of bird.shape, not of a column: V = bird.mass / mean density of its parts.
 //! \throw InputError naming bird.length_over_diameter
 ShapeSize size_of_shape(const Case& parsed);
 
-//! Lattice of bird.shape, axis along x.
-//! \throw InputError naming the file and the key, as fill_shape
+//! Lattice of bird.shape, axis along x; the parts of a mixture or of ribs and core by their shares and places.
+//! \throw InputError naming the file and the key, as fill_shape, mix_parts and place_parts
 Fill fill_of_shape(const Case& parsed);
 
 } // namespace birdstrike

@@ -6,6 +6,7 @@
 #include "cases/column.h"
 #include "cases/complete_target.h"
 #include "cases/keys.h"
+#include "cases/shape_parts_case.h"
 #include "core/error.h"
 
 #include <fmt/format.h>
@@ -266,10 +267,8 @@ void check_tables(const Case& parsed, const std::string& file)
         fmt::format("{}: bird.parts is missing: every part of the {} needs its porosity, for example "
                     "torso = {{ porosity = 0.6 }} under [bird.parts]",
                     file, bird.mesh.empty() ? "bird" : "mesh"));
-  if (!bird.shape.empty() && !is_column(parsed) && bird.parts.size() > 1)
-    throw InputError(fmt::format(
-        "{}: bird.parts.{}: a {} has one part, and here are {}; leave the others out, or use a bird.mesh",
-        file, bird.parts[1].name, bird.shape, bird.parts.size()));
+  if (!bird.shape.empty() && !is_column(parsed))
+    check_shape_parts(parsed);
   for (const TransducerCase& one : parsed.transducers) {
     const std::string place = fmt::format("{}: transducers.{}", file, one.name);
     if (one.name.find_first_of(",\"\n\r") != std::string::npos)

@@ -6,8 +6,10 @@
 #include "cases/law_case.h"
 #include "cases/target_case.h"
 #include "core/settings.h"
+#include "geometry/shape_parts.h"
 
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <numbers>
@@ -22,6 +24,8 @@ struct PartCase
   double porosity = 0;              //!< volume share of air [-]
   std::string eos = "impact-event"; //!< one of porous_law_names(), or the name of one of Case::laws
   int layers = 60;                  //!< of a column [-]
+  double share = NAN;               //!< of a mixture's particles; NaN: this part is none of a mixture [-]
+  std::string place = "";           //!< in a shape: one of place_names(), or empty: its only part
 };
 
 struct BirdCase
@@ -36,6 +40,9 @@ struct BirdCase
   double smoothing = 1.28;                      //!< h over spacing; counts squeezed lattices to 1e-4 [-]
   double length_over_diameter = 2;              //!< of a shape [-]
   int columns = 6;                              //!< of a column: cells sideways, each way
+  int seed = 1;                                 //!< of the pseudo-random numbers of a mixture
+  RibSizes ribs;                                //!< of the part whose place is "ribs"
+  CoreSizes core;                               //!< of the part whose place is "core"
   double impact_angle = 0.5 * std::numbers::pi; //!< between flight path and plate [rad]
   std::array<double, 2> offset{};               //!< y and z where its path meets the plane x = 0 [m]
   double yaw = 0;                               //!< turns the nose to the bird's left, about +z [rad]

@@ -2,6 +2,7 @@
 // The table of keys itself: one row a key.
 #include "cases/key_ranges.h"
 #include "cases/keys.h"
+#include "cases/shape_parts_case.h"
 
 #include "core/material/porous_bird.h"
 
@@ -40,6 +41,11 @@ const Condition no_shape{"a bird without bird.shape", [](const Case& c) { return
 const Condition no_mesh{"a bird without bird.mesh", [](const Case& c) { return c.bird.mesh.empty(); }};
 const Condition with_body{"a bird.shape that is not a column",
                           [](const Case& c) { return !c.bird.shape.empty() && !is_column(c); }};
+const Condition with_mixture{"a bird.shape with a share for each part", is_mixture};
+const Condition with_ribs{"a bird.shape with a part whose place is \"ribs\"",
+                          [](const Case& c) { return has_place(c, Place::ribs); }};
+const Condition with_core{"a bird.shape with a part whose place is \"core\"",
+                          [](const Case& c) { return has_place(c, Place::core); }};
 const Condition with_column{"a column", is_column};
 const Condition no_column{"a bird that is not a column", [](const Case& c) { return !is_column(c); }};
 const Condition flat_target{"a flat plate and a bird that is not a column",
@@ -59,6 +65,14 @@ std::vector<Key> rows_before_target()
     {"bird.mesh", number, "", true, {}, "mesh file with named parts: a path beside the case, or a file of share/meshes; this or bird.shape", SLOT(bird.mesh), nullptr, &no_shape},
     {"bird.shape", number, "", true, {}, "substitute bird made from numbers, without a mesh; a column is a stack of layers in a box that repeats sideways, for plane waves", SLOT(bird.shape), bird_shape_names, &no_mesh},
     {"bird.length_over_diameter", number, "", false, within(0.05, 20), "length over diameter, rounded ends included; a sphere has 1", SLOT(bird.length_over_diameter), nullptr, &with_body},
+    {"bird.seed", number, "", false, at_least(0), "starts the pseudo-random numbers that mix the parts; another number gives another bird", SLOT(bird.seed), nullptr, &with_mixture},
+    {"bird.ribs.number", number, "", false, within(1, 1000), "rings of the part whose place is \"ribs\": bone under the surface, evenly spaced about the bird's middle", SLOT(bird.ribs.number), nullptr, &with_ribs},
+    {"bird.ribs.lumps", number, "", false, within(0, 1000), "lumps of each ring, as long around as the gaps between them; 0 leaves the ring whole", SLOT(bird.ribs.lumps), nullptr, &with_ribs},
+    {"bird.ribs.span", number, "", false, within(0, 1), "from the first ring's middle to the last one's, over the bird's length", SLOT(bird.ribs.span), nullptr, &with_ribs},
+    {"bird.ribs.width", number, "", false, above_within(0, 1), "of a ring along the axis, over the bird's length", SLOT(bird.ribs.width), nullptr, &with_ribs},
+    {"bird.ribs.depth", number, "", false, above_within(0, 1), "of a ring below the surface, over the bird's radius", SLOT(bird.ribs.depth), nullptr, &with_ribs},
+    {"bird.core.length", number, "", false, above_within(0, 1), "of the part whose place is \"core\", a spheroid in the bird's middle along its axis, over the bird's length", SLOT(bird.core.length), nullptr, &with_core},
+    {"bird.core.diameter", number, "", false, above_within(0, 1), "of the same, over the bird's diameter", SLOT(bird.core.diameter), nullptr, &with_core},
     {"bird.columns", number, "", false, within(1, 1000), "cells of a column sideways, each way", SLOT(bird.columns), nullptr, &with_column},
     {"bird.mesh_unit", length, "m", false, above(0), "length of one unit of the mesh file", SLOT(bird.mesh_unit), nullptr, &no_shape},
     {"bird.mass", mass, "kg", true, above(0), "mass of the whole bird, met exactly", SLOT(bird.mass), nullptr, &no_column},
@@ -73,6 +87,8 @@ std::vector<Key> rows_before_target()
     {"bird.roll", angle, "deg", false, {}, "turns the left wing up, about the flight axis", SLOT(bird.roll), nullptr, &no_column},
     {"bird.parts.*.porosity", number, "", false, within(0, 0.9), "volume share of air in the part's material; required with a law of porous flesh", PART_SLOT(porosity)},
     {"bird.parts.*.eos", number, "", false, {}, "equation of state of the part", PART_SLOT(eos), law_names, nullptr, nullptr, true},
+    {"bird.parts.*.share", number, "", false, above_within(0, 1), "of the particles of every cross-section, picked at random; the shares of all parts sum to 1", PART_SLOT(share), nullptr, &with_body},
+    {"bird.parts.*.place", number, "", false, {}, "where in a shape of several parts this one lies", PART_SLOT(place), place_names, &with_body},
     {"bird.parts.*.layers", number, "", false, within(1, 100000), "layers of the part in a column, whose parts are stacked from the plate on in the order of the file", PART_SLOT(layers), nullptr, &with_column},
 
     {"eos.*.law", number, "", true, {}, "kind of the law; it needs: linear density, bulk_modulus; murnaghan density, B, gamma; polynomial density, C1 [C2, C3, mu_max]; hugoniot density, c0, slope; mie-gruneisen density, c0, slope, gruneisen [slope_2, slope_3, gruneisen_slope]; table file", LAW_SLOT(law), law_kinds},

@@ -14,17 +14,6 @@ constexpr double fewest_across = 4; // cells; fewer are no shape
 constexpr double good_volume =
     0.005; // relative error; a worse one is worth a look at other places of the lattice
 
-//! Radius of the body of revolution at \p x from its middle, squared; negative beyond its ends [m2].
-double squared_radius(std::string_view shape, const ShapeSize& size, double x)
-{
-  const double radius = 0.5 * size.diameter, half = 0.5 * size.length, away = std::abs(x);
-  if (shape == "capsule") {
-    const double beyond = std::max(0.0, away - (half - radius));
-    return radius * radius - beyond * beyond;
-  }
-  return radius * radius * (1 - x * x / (half * half)); // sphere and spheroid
-}
-
 //! Cells of one layer whose middles lie within \p radius2 of the axis.
 //! \param shift  of the layer, in spacings
 void fill_disc(double x, double radius2, double shift_y, double shift_z, double spacing,
@@ -50,9 +39,7 @@ std::vector<Seed> fill_layers(std::string_view shape, const ShapeSize& size, dou
   for (long i = 0; i < layers; ++i) {
     const double x = (double(i) - 0.5 * double(layers - 1)) * spacing;
     const double y = double(i) * leaning_lattice.shift_y + phase, z = double(i) * leaning_lattice.shift_z;
-    const double radius2 =
-        shape == "cylinder" ? 0.25 * size.diameter * size.diameter : squared_radius(shape, size, x);
-    fill_disc(x, radius2, y - std::floor(y), z - std::floor(z), spacing, seeds);
+    fill_disc(x, squared_radius(shape, size, x), y - std::floor(y), z - std::floor(z), spacing, seeds);
   }
   return seeds;
 }

@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "geometry/measure.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -135,6 +136,19 @@ ShapeSize shape_size(std::string_view name, double mass, double density, double 
   require_aspect(shape, aspect);
   const double diameter = std::cbrt(mass / density / shape.volume_over_cube(aspect));
   return {diameter, aspect * diameter};
+}
+
+double squared_radius(std::string_view name, const ShapeSize& size, double x)
+{
+  find_shape(name);
+  const double radius = 0.5 * size.diameter, half = 0.5 * size.length, away = std::abs(x);
+  if (name == "cylinder")
+    return away <= half * (1 + 1e-9) ? radius * radius : -1; // a layer may end in rounding
+  if (name == "capsule") {
+    const double beyond = std::max(0.0, away - (half - radius));
+    return radius * radius - beyond * beyond;
+  }
+  return radius * radius * (1 - x * x / (half * half)); // sphere and spheroid
 }
 
 double shape_volume(std::string_view name, const ShapeSize& size)

@@ -40,6 +40,10 @@ ShapeSize shape_size(std::string_view name, double mass, double density, double 
 //! Volume of the smooth shape [m3]: the formulas above.
 double shape_volume(std::string_view name, const ShapeSize& size);
 
+//! Square of the shape's radius at \p x from its middle; negative beyond its ends [m2].
+//! \throw InputError for an unknown name
+double squared_radius(std::string_view name, const ShapeSize& size, double x);
+
 //! Closed, outward oriented surface of that shape; its volume equals shape_volume to rounding. The part's
 //! name is the shape's. \throw InputError for an unknown name, a size out of range, or fewer than 8 facets
 //! around or 4 along
