@@ -48,6 +48,15 @@ public:
     *slot = *value;
   }
   void operator()(std::string* slot) const { *slot = text(); }
+  void operator()(std::vector<std::string>* slot) const
+  {
+    slot->clear();
+    for (const Scalar& value : entry_.values)
+      if (const auto* one = std::get_if<std::string>(&value))
+        slot->push_back(*one);
+      else
+        fail(kind_of(key_) + " is needed");
+  }
   void operator()(ViscosityKind* slot) const { *slot = viscosity_kind(text()); }
 
 private:
@@ -91,6 +100,8 @@ private:
       if (!(value - value == 0))
         fail("a finite number is needed");
     } else {
+      if (const auto named = written && key_.by_name ? key_.by_name(*written) : std::nullopt)
+        return *named;
       try {
         // A bare number lacks its unit: let the same place complain about it as for "6".
         value = parse_quantity(written ? *written : entry_.is_list ? "1" : entry_.found, key_.dimension);
@@ -219,8 +230,10 @@ void check_part_laws(const Case& parsed, const std::map<std::string, std::string
 
 std::string bird_of(const Case& parsed)
 {
-  return fmt::format("bird.{} = {}", parsed.bird.shape.empty() ? "mesh" : "shape",
-                     toml_string(parsed.bird.shape.empty() ? parsed.bird.mesh : parsed.bird.shape));
+  for (const auto& [key, value] : {std::pair{"shape", &parsed.bird.shape}, {"species", &parsed.bird.species}})
+    if (!value->empty())
+      return fmt::format("bird.{} = {}", key, toml_string(*value));
+  return fmt::format("bird.mesh = {}", toml_string(parsed.bird.mesh));
 }
 
 std::string target_of(const Case& parsed)
@@ -250,10 +263,16 @@ void refuse_idle_keys(const Case& parsed, const std::vector<Entry>& entries)
 void check_bird(Case& parsed, const std::set<std::string>& given, const std::string& file)
 {
   BirdCase& bird = parsed.bird;
-  if (!bird.mesh.empty() && !bird.shape.empty())
-    throw InputError(
-        fmt::format("{}: both bird.mesh = {} and bird.shape = {} are given: exactly one of them is needed",
-                    file, toml_string(bird.mesh), toml_string(bird.shape)));
+  const std::pair<const char*, const std::string*> sources[] = {
+      {"mesh", &bird.mesh}, {"shape", &bird.shape}, {"species", &bird.species}};
+  for (const auto& [key, value] : sources)
+    for (const auto& [other, besides] : sources)
+      if (value < besides && !value->empty() && !besides->empty())
+        throw InputError(
+            fmt::format("{}: both bird.{} = {} and bird.{} = {} are given: exactly one of them is needed", file,
+                        key, toml_string(*value), other, toml_string(*besides)));
+  if (!bird.species.empty() && !given.contains("bird.mass"))
+    bird.mass = species_mass(bird.species);
   if (bird.shape == "sphere" && !given.contains("bird.length_over_diameter"))
     bird.length_over_diameter = 1;
 }
@@ -262,7 +281,7 @@ void check_bird(Case& parsed, const std::set<std::string>& given, const std::str
 void check_tables(const Case& parsed, const std::string& file)
 {
   const BirdCase& bird = parsed.bird;
-  if (bird.parts.empty())
+  if (bird.parts.empty() && bird.species.empty())
     throw InputError(
         fmt::format("{}: bird.parts is missing: every part of the {} needs its porosity, for example "
                     "torso = {{ porosity = 0.6 }} under [bird.parts]",

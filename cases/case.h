@@ -22,6 +22,8 @@ struct PartCase
 {
   std::string name;
   double porosity = 0;              //!< volume share of air [-]
+  double density = NAN;             //!< of the material, in place of the porosity or the law's own; NaN: theirs [kg/m3]
+  std::vector<std::string> objects = {}; //!< patterns of the mesh's objects that belong to it, besides the known words
   std::string eos = "impact-event"; //!< one of porous_law_names(), or the name of one of Case::laws
   int layers = 60;                  //!< of a column [-]
   double share = NAN;               //!< of a mixture's particles; NaN: this part is none of a mixture [-]
@@ -30,11 +32,22 @@ struct PartCase
 
 struct BirdCase
 {
-  std::string mesh;                             //!< as written; empty for a shape
-  std::string shape;                            //!< empty for a mesh, else of bird_shape_names()
-  double mesh_unit = 1;                         //!< length of one unit of the mesh file [m]
+  std::string mesh;         //!< file or folder as written; this, shape or species is given, the others are empty
+  std::string shape;        //!< of bird_shape_names()
+  std::string species;      //!< of species_names()
+  std::string neck = "out"; //!< of neck_names(), of a species
+  std::string wings = "spread";                 //!< of wing_names(), of a species
+  bool legs = false;                            //!< of a species
+  double mesh_unit = NAN;                       //!< length of one unit of the mesh file; NaN: find it [m]
+  std::string nose, up;                         //!< axes of the mesh file, "+x" ... "-z"; empty: find them
+  bool strict = false;                          //!< refuse a mesh that needs repair
+  double thickness = NAN;                       //!< of surfaces without any; NaN: two spacings [m]
   double mass = 0;                              //!< of the whole bird [kg]
-  double spacing = 0;                           //!< between particles [m]
+  std::string exact = "mass";                   //!< of exact_names()
+  double spacing = 0;                           //!< between particles; 0: by their number [m]
+  int particles = 0;                            //!< wanted number; 0: by their spacing
+  std::string lattice = "cubic";                //!< of lattice_names(), of a mesh or species
+  bool relax = false;                           //!< let particles settle against the surfaces
   double velocity = 0;                          //!< along flight_direction [m/s]
   double gap = 0.01;                            //!< between bird and target at the start [m]
   double smoothing = 1.28;                      //!< h over spacing; counts squeezed lattices to 1e-4 [-]
@@ -90,6 +103,10 @@ Case read_case_with(const std::filesystem::path& file, const std::vector<Entry>&
 //! The case as TOML with every default filled in; read_case gives an equal case back. Files beside the case are named by
 //! their whole path.
 std::string to_toml(const Case& parsed);
+
+//! What of a bird is met exactly: "mass" (one factor on the densities of all parts), "density" (the mass is what comes
+//! out), "particle-mass" (one factor on the masses of the particles alone, as in dissertation 8.3.3).
+std::vector<std::string> exact_names();
 
 //! Names for bird.shape: those of shape_names() and "column".
 std::vector<std::string> bird_shape_names();

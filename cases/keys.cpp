@@ -181,6 +181,7 @@ std::string kind_of(const Key& key)
           [](int*) { return std::string("an integer"); },
           [](std::array<int, 2>*) { return std::string("a list of two integers"); },
           [](bool*) { return std::string("true or false"); },
+          [](std::vector<std::string>*) { return std::string("a list of texts in quotes"); },
           [&](auto*) {
             return key.choices ? fmt::format("one of \"{}\"{}", fmt::join(key.choices(), "\", \""),
                                              key.or_law ? " or the name of an [eos.NAME]" : "")
@@ -229,6 +230,8 @@ bool is_empty(const Slot& slot)
     return std::isnan(**number);
   if (std::string* const* text = std::get_if<std::string*>(&slot))
     return (*text)->empty();
+  if (std::vector<std::string>* const* texts = std::get_if<std::vector<std::string>*>(&slot))
+    return (*texts)->empty();
   if (std::array<double, 3>* const* three = std::get_if<std::array<double, 3>*>(&slot))
     return std::isnan((**three)[0]);
   return false;
@@ -255,6 +258,12 @@ std::string to_toml(const Slot& slot, const Key& key)
           [](int* value) { return fmt::format("{}", *value); },
           [](std::array<int, 2>* value) { return fmt::format("[{}, {}]", (*value)[0], (*value)[1]); },
           [](bool* value) { return std::string(*value ? "true" : "false"); },
+          [](std::vector<std::string>* value) {
+            std::vector<std::string> texts;
+            for (const std::string& text : *value)
+              texts.push_back(toml_string(text));
+            return fmt::format("[{}]", fmt::join(texts, ", "));
+          },
           [](std::string* value) { return toml_string(*value); },
           [](ViscosityKind* value) { return toml_string(name_of(*value)); },
       },

@@ -18,7 +18,7 @@ namespace birdstrike {
 
 //! Where a key's value lives in a Case; the type of the pointer is the type of the key.
 using Slot = std::variant<double*, int*, bool*, std::string*, std::array<double, 2>*, std::array<double, 3>*,
-                          std::array<int, 2>*, ViscosityKind*>;
+                          std::array<int, 2>*, std::vector<std::string>*, ViscosityKind*>;
 
 //! Allowed values of a number or a quantity, in SI.
 struct Range
@@ -46,6 +46,7 @@ struct Key
   std::vector<std::string> (*choices)() = nullptr;
   const Condition* only = nullptr;   //!< elsewhere the key has no meaning and is refused
   const Condition* unless = nullptr; //!< a required key may be left out there
+  std::optional<double> (*by_name)(std::string_view text) = nullptr; //!< a value that a name stands for, besides numbers
   bool or_law = false; //!< besides the choices, the name of any table [eos.NAME]; read_case checks that
 };
 

@@ -2,9 +2,11 @@
 // The table of keys itself: one row a key.
 #include "cases/key_ranges.h"
 #include "cases/keys.h"
+#include "cases/bird_form.h"
+#include "cases/certification.h"
 #include "cases/shape_parts_case.h"
-
 #include "core/material/porous_bird.h"
+#include "geometry/fill.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,8 +39,25 @@ std::vector<std::string> viscosity_names()
   return names;
 }
 
+std::vector<std::string> species_choices()
+{
+  const auto names = species_names();
+  return {names.begin(), names.end()};
+}
+std::vector<std::string> axis_names() { return {"+x", "-x", "+y", "-y", "+z", "-z"}; }
+
 const Condition no_shape{"a bird without bird.shape", [](const Case& c) { return c.bird.shape.empty(); }};
-const Condition no_mesh{"a bird without bird.mesh", [](const Case& c) { return c.bird.mesh.empty(); }};
+const Condition with_mesh{"a bird with bird.mesh", [](const Case& c) { return !c.bird.mesh.empty(); }};
+const Condition with_species{"a bird with bird.species", [](const Case& c) { return !c.bird.species.empty(); }};
+const Condition by_spacing{"a bird without bird.particles", [](const Case& c) { return c.bird.particles == 0; }};
+const Condition by_number{"a bird that is no column, without bird.spacing",
+                          [](const Case& c) { return c.bird.particles != 0 && !is_column(c); }};
+const Condition weighed{"a bird that is no column and whose exact is not \"density\"",
+                        [](const Case& c) { return !is_column(c) && c.bird.exact != "density"; }};
+const Condition other_than_mesh{"a bird.shape or bird.species",
+                                [](const Case& c) { return !c.bird.shape.empty() || !c.bird.species.empty(); }};
+const Condition other_than_shape{"a bird.mesh or bird.species",
+                                 [](const Case& c) { return !c.bird.mesh.empty() || !c.bird.species.empty(); }};
 const Condition with_body{"a bird.shape that is not a column",
                           [](const Case& c) { return !c.bird.shape.empty() && !is_column(c); }};
 const Condition with_mixture{"a bird.shape with a share for each part", is_mixture};
@@ -62,8 +81,12 @@ std::vector<Key> rows_before_target()
     {"title", number, "", true, {}, "what the case shows, in one line", SLOT(title)},
     {"source", number, "", false, {}, "where the case comes from", SLOT(source)},
 
-    {"bird.mesh", number, "", true, {}, "mesh file with named parts: a path beside the case, or a file of share/meshes; this or bird.shape", SLOT(bird.mesh), nullptr, &no_shape},
-    {"bird.shape", number, "", true, {}, "substitute bird made from numbers, without a mesh; a column is a stack of layers in a box that repeats sideways, for plane waves", SLOT(bird.shape), bird_shape_names, &no_mesh},
+    {"bird.mesh", number, "", true, {}, "mesh file with named parts, or a folder of them: a path beside the case, or a file of share/meshes; this, bird.shape or bird.species", SLOT(bird.mesh), nullptr, nullptr, &other_than_mesh},
+    {"bird.shape", number, "", true, {}, "substitute bird made from numbers, without a mesh; a column is a stack of layers in a box that repeats sideways, for plane waves", SLOT(bird.shape), bird_shape_names, nullptr, &other_than_shape},
+    {"bird.species", number, "", false, {}, "bird made from published biometry, without a mesh; its parts have the porosities of section 8.3 unless bird.parts says otherwise", SLOT(bird.species), species_choices},
+    {"bird.neck", number, "", false, {}, "pose of the neck", SLOT(bird.neck), neck_names, &with_species},
+    {"bird.wings", number, "", false, {}, "pose of the wings", SLOT(bird.wings), wing_names, &with_species},
+    {"bird.legs", number, "", false, {}, "with legs, stretched backwards", SLOT(bird.legs), nullptr, &with_species},
     {"bird.length_over_diameter", number, "", false, within(0.05, 20), "length over diameter, rounded ends included; a sphere has 1", SLOT(bird.length_over_diameter), nullptr, &with_body},
     {"bird.seed", number, "", false, at_least(0), "starts the pseudo-random numbers that mix the parts; another number gives another bird", SLOT(bird.seed), nullptr, &with_mixture},
     {"bird.ribs.number", number, "", false, within(1, 1000), "rings of the part whose place is \"ribs\": bone under the surface, evenly spaced about the bird's middle", SLOT(bird.ribs.number), nullptr, &with_ribs},
@@ -74,9 +97,17 @@ std::vector<Key> rows_before_target()
     {"bird.core.length", number, "", false, above_within(0, 1), "of the part whose place is \"core\", a spheroid in the bird's middle along its axis, over the bird's length", SLOT(bird.core.length), nullptr, &with_core},
     {"bird.core.diameter", number, "", false, above_within(0, 1), "of the same, over the bird's diameter", SLOT(bird.core.diameter), nullptr, &with_core},
     {"bird.columns", number, "", false, within(1, 1000), "cells of a column sideways, each way", SLOT(bird.columns), nullptr, &with_column},
-    {"bird.mesh_unit", length, "m", false, above(0), "length of one unit of the mesh file", SLOT(bird.mesh_unit), nullptr, &no_shape},
-    {"bird.mass", mass, "kg", true, above(0), "mass of the whole bird, met exactly", SLOT(bird.mass), nullptr, &no_column},
-    {"bird.spacing", length, "mm", true, above(0), "distance between particles", SLOT(bird.spacing)},
+    {"bird.mesh_unit", length, "m", false, above(0), "length of one unit of the mesh file; found by the file's format or the bird's size if not given", SLOT(bird.mesh_unit), nullptr, &with_mesh},
+    {"bird.nose", number, "", false, {}, "axis of the mesh file along which the bird looks; found if not given", SLOT(bird.nose), axis_names, &with_mesh},
+    {"bird.up", number, "", false, {}, "axis of the mesh file that points to the bird's back; found if not given", SLOT(bird.up), axis_names, &with_mesh},
+    {"bird.strict", number, "", false, {}, "refuse a mesh that would have to be repaired", SLOT(bird.strict), nullptr, &with_mesh},
+    {"bird.thickness", length, "mm", false, above(0), "given to surfaces of the mesh that have none, such as wings; two spacings if not given", SLOT(bird.thickness), nullptr, &with_mesh},
+    {"bird.mass", mass, "kg", true, above(0), "mass of the whole bird, or the name of a rule that fixes it, such as \"14 CFR 25.631\"; met exactly", SLOT(bird.mass), nullptr, &weighed, &with_species, certification_mass},
+    {"bird.exact", number, "", false, {}, "what is met exactly: mass scales the densities of all parts by one factor; density keeps them, and the mass is what comes out; particle-mass scales the masses of the particles alone (section 8.3.3)", SLOT(bird.exact), exact_names, &no_column},
+    {"bird.spacing", length, "mm", true, above(0), "distance between particles: cube root of the volume that one stands for", SLOT(bird.spacing), nullptr, &by_spacing},
+    {"bird.particles", number, "", false, at_least(1), "number of particles, met as nearly as the lattice can; in place of bird.spacing", SLOT(bird.particles), nullptr, &by_number},
+    {"bird.lattice", number, "", false, {}, "arrangement of the particles, along the flight: simple cubic, close-packed, or cubic layers that lean against it", SLOT(bird.lattice), lattice_names, &no_shape},
+    {"bird.relax", number, "", false, {}, "let the particles settle against the surfaces of their parts, whose volumes are then met exactly; best from the fcc lattice", SLOT(bird.relax), nullptr, &no_shape},
     {"bird.velocity", velocity, "m/s", true, above(0), "speed of flight", SLOT(bird.velocity)},
     {"bird.impact_angle", angle, "deg", false, within(10 * degree * (1 - 1e-12), 90 * degree * (1 + 1e-12)), "between flight path and plate: below 90 deg the bird descends along its own axis towards the middle of the plate", SLOT(bird.impact_angle), nullptr, &no_column},
     {"bird.gap", length, "mm", false, at_least(0), "distance between bird and target at the start: across a plate, along the flight before any other target", SLOT(bird.gap)},
@@ -86,7 +117,9 @@ std::vector<Key> rows_before_target()
     {"bird.pitch", angle, "deg", false, {}, "turns the nose up", SLOT(bird.pitch), nullptr, &no_column},
     {"bird.roll", angle, "deg", false, {}, "turns the left wing up, about the flight axis", SLOT(bird.roll), nullptr, &no_column},
     {"bird.parts.*.porosity", number, "", false, within(0, 0.9), "volume share of air in the part's material; required with a law of porous flesh", PART_SLOT(porosity)},
-    {"bird.parts.*.eos", number, "", false, {}, "equation of state of the part", PART_SLOT(eos), law_names, nullptr, nullptr, true},
+    {"bird.parts.*.density", density, "kg/m3", false, above(0), "of the part's material: in place of its porosity, or of the density of its law", PART_SLOT(density)},
+    {"bird.parts.*.objects", number, "", false, {}, "patterns of the mesh's objects that belong to the part, * for any letters; without them the names of the objects say it (head, Wing.L, rib_3, ...)", PART_SLOT(objects), nullptr, &with_mesh},
+    {"bird.parts.*.eos", number, "", false, {}, "equation of state of the part", PART_SLOT(eos), law_names, nullptr, nullptr, nullptr, true},
     {"bird.parts.*.share", number, "", false, above_within(0, 1), "of the particles of every cross-section, picked at random; the shares of all parts sum to 1", PART_SLOT(share), nullptr, &with_body},
     {"bird.parts.*.place", number, "", false, {}, "where in a shape of several parts this one lies", PART_SLOT(place), place_names, &with_body},
     {"bird.parts.*.layers", number, "", false, within(1, 100000), "layers of the part in a column, whose parts are stacked from the plate on in the order of the file", PART_SLOT(layers), nullptr, &with_column},
