@@ -36,6 +36,13 @@ MieGrueneisen::MieGrueneisen(double rho0, const MieGrueneisenConstants& constant
   end_ = on_curve(mu_max_);
 }
 
+MieGrueneisenConstants MieGrueneisen::constants() const
+{
+  MieGrueneisenConstants here = constants_;
+  here.c0 = std::sqrt(modulus_ / rho0_);
+  return here;
+}
+
 MieGrueneisen::Cold MieGrueneisen::on_curve(double mu) const
 {
   const MieGrueneisenConstants& k = constants_;

@@ -37,6 +37,8 @@ public:
 
   double reference_density() const { return rho0_; }
   double mu_max() const { return mu_max_; }
+  //! Of this law; after rescaled() the sound speed is the one that belongs to the new density.
+  MieGrueneisenConstants constants() const;
 
   LawPoint at(double rho, double energy) const;
   LawPoint at(double rho) const { return at(rho, 0); }
