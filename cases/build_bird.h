@@ -4,10 +4,10 @@
 
 #include "cases/case.h"
 #include "cases/flight.h"
+#include "cases/read_bird_mesh.h"
 #include "core/particles/particles.h"
-#include "geometry/surface_mesh.h"
+#include "geometry/fill.h"
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -15,24 +15,18 @@ namespace birdstrike {
 
 class Log;
 
-//! The mesh as read and found sound, and the part that each of its objects belongs to.
-struct BirdMesh
-{
-  std::filesystem::path file;
-  SurfaceMesh objects;
-  std::vector<std::string> part_of; //!< one an object
-};
-
-//! What became of one part.
+//! What became of one part. Moments are about the middle of the bird's box, in flight axes: x forward, z up.
 struct PartReport
 {
   std::string name;
   std::size_t particles = 0;
-  double mesh_volume = 0;     //!< of the mesh less the inner parts, or of the smooth shape [m3]
-  double particle_volume = 0; //!< particles x spacing^3 [m3]
-  double mass = 0;            //!< [kg]
-  double density = 0;         //!< of the particles [kg/m3]
+  double mesh_volume = 0;     //!< of the space that the part has in the mesh, or of the smooth shape [m3]
+  double particle_volume = 0; //!< of all its particles [m3]
+  double mass = 0;            //!< of its particles [kg]
+  double density = 0;         //!< of its material as it flies [kg/m3]
   double porosity = 0;        //!< [-]
+  Moments body;               //!< masses of the mesh at that density; zero for a shape
+  Moments points;             //!< of the particles, each a point mass
 };
 
 struct BuiltBird
@@ -40,29 +34,20 @@ struct BuiltBird
   Particles particles;
   std::vector<PartReport> parts;
   Flight flight;
-  double density_factor = 1; //!< density of every part over the natural density of its porosity [-]
+  double density_factor = 1; //!< density of every part over the natural density of its material [-]
+  double mass_factor = 1;    //!< mass of every particle over density times volume (bird.exact = "particle-mass") [-]
+  std::vector<Meeting> overlaps, gaps; //!< between objects of different parts
+  double density_deviation = 0, density_worst = 0; //!< of relaxed particles: root mean square, largest [-]
 };
 
-//! Read and check the mesh of a bird. An object whose very name is a part of the case is that part; the
-//! others go by part_of_object. \param parts  of the case; may be empty \throw InputError naming the file: as
-//! read_mesh, require_solids and part_of_object, or a size that no bird has
-BirdMesh read_bird_mesh(const std::filesystem::path& file, double unit, const std::vector<PartCase>& parts,
-                        Log& log);
-
-//! Porosities of dissertation 8.3.1 for the parts that the mesh has, for meshes without a case.
-//! \throw InputError naming a part that has none there
-std::vector<PartCase> usual_parts(const BirdMesh& mesh);
-
-//! Fill, weigh, turn and place the bird: axis along the flight, gap in front of the plane x = 0, so that the middle of
-//! the plate lies ahead of its centre of mass.
-//! The densities that the porosities give are all scaled by one factor, so that the mass is the case's to
-//! 1e-12. \throw InputError if a part of the mesh has no entry in the case or the other way round, as
-//! fill_lattice, or if
-//!        mesh and mass do not belong together
+//! Fill, weigh, turn and place the bird: the lattice along the flight, gap in front of the plane x = 0, so that the aim
+//! point lies ahead of its centre of mass.
+//! \throw InputError if a part of the mesh has no entry in the case or the other way round, as fill_mesh, or if mesh and
+//!        mass do not belong together
 BuiltBird build_bird(const Case& parsed, const BirdMesh& mesh, Log& log);
 
-//! The same for any case: reads the mesh that it names, or makes its shape. A column keeps the natural densities.
-//! \throw InputError as read_bird_mesh, or fill_of_shape
+//! The same for any case: reads the mesh that it names, or makes its species or shape. A column keeps the natural
+//! densities. \throw InputError as read_bird_mesh, or fill_of_shape
 BuiltBird build_bird(const Case& parsed, Log& log);
 
 } // namespace birdstrike

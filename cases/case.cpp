@@ -2,12 +2,14 @@
 // Case files: from entries to values, by the table of keys.
 #include "cases/case.h"
 
+#include "cases/bird_form.h"
 #include "cases/case_entries.h"
 #include "cases/column.h"
 #include "cases/complete_target.h"
 #include "cases/keys.h"
 #include "cases/shape_parts_case.h"
 #include "core/error.h"
+#include "core/material/porous_bird.h"
 
 #include <fmt/format.h>
 
@@ -207,6 +209,10 @@ void check_part_laws(const Case& parsed, const std::map<std::string, std::string
                                    law.place, law.name));
   for (const PartCase& part : parsed.bird.parts) {
     const std::string path = "bird.parts." + part.name;
+    const bool by_density = places.contains(path + ".density");
+    if (by_density && places.contains(path + ".porosity") && part.porosity != 0)
+      throw InputError(fmt::format("{}: {}.density and .porosity are both given: one says the other; leave one out",
+                                   places.at(path + ".density"), path));
     if (std::any_of(parsed.laws.begin(), parsed.laws.end(),
                     [&](const LawCase& law) { return law.name == part.eos; }))
     {
@@ -221,6 +227,13 @@ void check_part_laws(const Case& parsed, const std::map<std::string, std::string
       throw InputError(fmt::format("{}: {}.eos = {}: {} is needed{}", place_of(places, path + ".eos", file),
                                    path, toml_string(part.eos), kind_of(eos),
                                    own.empty() ? "; the case has none" : "; the case has " + own.substr(2)));
+    } else if (by_density) {
+      const double densest = porous_density(porosity.range.low.value_or(0)),
+                   lightest = porous_density(porosity.range.high.value_or(1));
+      if (part.density < lightest || part.density > densest)
+        throw InputError(fmt::format("{}: {}.density = {:g} kg/m3: the law \"{}\" is one of water with air, from {:.1f} to "
+                                     "{:.0f} kg/m3; another density needs an own law [eos.NAME]",
+                                     places.at(path + ".density"), path, part.density, part.eos, lightest, densest));
     } else if (!places.contains(path + ".porosity")) {
       throw InputError(fmt::format("{}: {}.porosity is missing: {} is needed ({})", file, path,
                                    kind_of(porosity), porosity.text));
@@ -307,6 +320,8 @@ void check_tables(const Case& parsed, const std::string& file)
 }
 
 } // namespace
+
+std::vector<std::string> exact_names() { return {"mass", "density", "particle-mass"}; }
 
 Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides)
 {

@@ -120,5 +120,7 @@ std::filesystem::path find_mesh(const Case& parsed);
 
 //! The law of a part at the density that its material has by itself: natural_law of law_case.h.
 EquationOfState natural_law(const Case& parsed, const PartCase& part);
+//! Volume share of air in a part's material, by its porosity or its density; 0 for a law that knows none [-].
+double porosity_of(const Case& parsed, const PartCase& part);
 
 } // namespace birdstrike

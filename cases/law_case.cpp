@@ -168,9 +168,28 @@ EquationOfState natural_law(const std::string& name, double porosity, const std:
   return make_porous_law(name, porosity, porous_density(porosity));
 }
 
+namespace {
+
+bool has_own_law(const Case& parsed, const PartCase& part)
+{
+  return std::any_of(parsed.laws.begin(), parsed.laws.end(),
+                     [&](const LawCase& law) { return law.name == part.eos; });
+}
+
+} // namespace
+
+double porosity_of(const Case& parsed, const PartCase& part)
+{
+  return std::isnan(part.density) || has_own_law(parsed, part) ? part.porosity : porosity_of(part.density);
+}
+
 EquationOfState natural_law(const Case& parsed, const PartCase& part)
 {
-  return natural_law(part.eos, part.porosity, parsed.laws, parsed.file.parent_path());
+  if (std::isnan(part.density) || has_own_law(parsed, part)) {
+    const EquationOfState law = natural_law(part.eos, part.porosity, parsed.laws, parsed.file.parent_path());
+    return std::isnan(part.density) ? law : rescaled(law, part.density);
+  }
+  return make_porous_law(part.eos, porosity_of(part.density), part.density);
 }
 
 } // namespace birdstrike

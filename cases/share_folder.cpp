@@ -104,7 +104,7 @@ fs::path find_mesh(const Case& parsed)
   }
   std::vector<std::string> names;
   for (const fs::path& place : places) {
-    if (fs::is_regular_file(place, ignored))
+    if (fs::is_regular_file(place, ignored) || fs::is_directory(place, ignored))
       return place;
     names.push_back(place.string());
   }

@@ -10,16 +10,34 @@
 
 namespace birdstrike {
 
+namespace {
+
+Eigen::Matrix3d turn_of(const Attitude& attitude)
+{
+  using Turn = Eigen::AngleAxisd;
+  // A right-handed turn about y lowers the head, hence the sign of pitch.
+  return (Turn(attitude.yaw, Vector3::UnitZ()) * Turn(-attitude.pitch, Vector3::UnitY()) *
+          Turn(attitude.roll, Vector3::UnitX()))
+      .toRotationMatrix();
+}
+
+} // namespace
+
+void rotate(SurfaceMesh& mesh, const Attitude& attitude)
+{
+  if (attitude.yaw == 0 && attitude.pitch == 0 && attitude.roll == 0)
+    return;
+  const Eigen::Matrix3d turn = turn_of(attitude);
+  for (SurfacePart& part : mesh)
+    for (Vector3& p : part.points)
+      p = turn * p;
+}
+
 void rotate(std::vector<Seed>& seeds, const Attitude& attitude)
 {
   if (seeds.empty())
     return;
-  using Turn = Eigen::AngleAxisd;
-  // A right-handed turn about y lowers the head, hence the sign of pitch.
-  const Eigen::Matrix3d turn =
-      (Turn(attitude.yaw, Vector3::UnitZ()) * Turn(-attitude.pitch, Vector3::UnitY()) *
-       Turn(attitude.roll, Vector3::UnitX()))
-          .toRotationMatrix();
+  const Eigen::Matrix3d turn = turn_of(attitude);
   Vector3 centre = Vector3::Zero();
   for (const Seed& seed : seeds)
     centre += seed.position;

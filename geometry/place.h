@@ -19,6 +19,9 @@ struct Attitude
 //! from outside). The direction of flight is not touched.
 void rotate(std::vector<Seed>& seeds, const Attitude& attitude);
 
+//! The same for surfaces, about the origin.
+void rotate(SurfaceMesh& mesh, const Attitude& attitude);
+
 //! Shift along x so that the foremost seed (largest x) stands at x = -gap: a plate in x = 0 is ahead.
 //! \param gap  [m]
 //! \throw InputError if there are no seeds

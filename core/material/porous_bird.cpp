@@ -54,4 +54,9 @@ double porous_density(double porosity)
   return (1 - porosity) * porous_water::water_density + porosity * porous_water::air_density;
 }
 
+double porosity_of(double density)
+{
+  return (porous_water::water_density - density) / (porous_water::water_density - porous_water::air_density);
+}
+
 } // namespace birdstrike

@@ -39,4 +39,7 @@ EquationOfState make_porous_law(const std::string& name, double porosity, double
 //! Density of the mixture before impact: (1 - z) 1000 + z 1.225 [kg/m3].
 double porous_density(double porosity);
 
+//! Its inverse: the volume share of air of a mixture of that density [-].
+double porosity_of(double density);
+
 } // namespace birdstrike
