@@ -101,9 +101,17 @@ double find_factor(const Cluster& cluster, const Cluster& main, const std::vecto
       }
 
   const Box own = box_of(cluster, boxes), rest = box_of(main, boxes);
-  const Vector3 gaps = (own.lower - rest.upper).cwiseMax(rest.lower - own.upper);
+  double gap = INFINITY; // to the nearest object, along the axis on which they are apart
   Eigen::Index axis = 0;
-  const double gap = gaps.maxCoeff(&axis);
+  for (std::size_t i : cluster)
+    for (std::size_t j : main) {
+      Eigen::Index widest = 0;
+      const Vector3 apart = (boxes[i].lower - boxes[j].upper).cwiseMax(boxes[j].lower - boxes[i].upper);
+      if (const double one = apart.maxCoeff(&widest); one < gap) {
+        gap = one;
+        axis = widest;
+      }
+    }
   if (gap > 0)
     // Scaling down brings whatever lies apart to the origin, which is mostly inside the rest. Believe it only of
     // objects that then stick out, and that lay too far away for a mere gap between two parts.
@@ -129,56 +137,126 @@ double find_factor(const Cluster& cluster, const Cluster& main, const std::vecto
 
 } // namespace
 
-UnitMends mend_units(SurfaceMesh& parts, const std::string& subject)
-{
-  std::vector<Box> boxes;
-  if (parts.size() > most_parts)
-    return {};
-  for (const SurfacePart& part : parts)
-    boxes.push_back(bounding_box(part));
-  UnitMends mends;
-  std::vector<Cluster> clusters = find_clusters(boxes);
-  if (clusters.size() < 2)
-    return mends;
-  const auto area = [&](const Cluster& cluster) {
-    return std::accumulate(cluster.begin(), cluster.end(), 0.0,
-                           [&](double sum, std::size_t i) { return sum + surface_area(parts[i]); });
-  };
-  std::stable_sort(clusters.begin(), clusters.end(), [&](const Cluster& l, const Cluster& r) {
-    return l.size() != r.size() ? l.size() > r.size() : area(l) > area(r);
-  });
+namespace {
 
-  // Once a cluster has joined, others may join it: round again until none does.
-  Cluster main = clusters.front();
-  clusters.erase(clusters.begin());
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (auto cluster = clusters.begin(); cluster != clusters.end() && !changed; ++cluster) {
-      const bool now = joins(*cluster, 1, main, boxes);
-      const double factor = now ? 1
-                                : find_factor(*cluster, main, boxes,
-                                              subject + ": object '" + parts[cluster->front()].name + "'");
-      if (factor == 0)
+class Mending
+{
+public:
+  Mending(SurfaceMesh& parts, const std::string& subject) : parts_(parts), subject_(subject)
+  {
+    for (const SurfacePart& part : parts)
+      boxes_.push_back(bounding_box(part));
+  }
+
+  UnitMends run()
+  {
+    find_clusters_again();
+    scale_keystone();
+    if (clusters_.empty())
+      return {};
+    Cluster main = clusters_.front();
+    clusters_.erase(clusters_.begin());
+    while (join_one(main))
+      ; // whatever has joined, others may join
+    for (const Cluster& cluster : clusters_)
+      for (std::size_t i : cluster)
+        mends_.strays.push_back(parts_[i].name);
+    return std::move(mends_);
+  }
+
+private:
+  double area(const Cluster& cluster) const
+  {
+    return std::accumulate(cluster.begin(), cluster.end(), 0.0,
+                           [&](double sum, std::size_t i) { return sum + surface_area(parts_[i]); });
+  }
+
+  void find_clusters_again()
+  {
+    clusters_ = find_clusters(boxes_);
+    std::stable_sort(clusters_.begin(), clusters_.end(), [&](const Cluster& l, const Cluster& r) {
+      return l.size() != r.size() ? l.size() > r.size() : area(l) > area(r);
+    });
+  }
+
+  void scale(const Cluster& cluster, double factor)
+  {
+    UnitMend mend{{}, factor};
+    for (std::size_t i : cluster) {
+      for (Vector3& p : parts_[i].points)
+        p *= factor;
+      boxes_[i] = scaled(boxes_[i], factor);
+      mend.objects.push_back(parts_[i].name);
+    }
+    mends_.done.push_back(std::move(mend));
+  }
+
+  //! A torso in another unit leaves head, tail and wings without anything that they touch. It dwarfs all of them or is
+  //! dwarfed by them, and one factor makes it touch more of them than any other.
+  void scale_keystone()
+  {
+    for (const Cluster& keystone : clusters_) {
+      Cluster others;
+      for (const Cluster& cluster : clusters_)
+        if (&cluster != &keystone)
+          others.insert(others.end(), cluster.begin(), cluster.end());
+      if (others.size() < 2)
+        return;
+      const double ratio = box_of(keystone, boxes_).diagonal() / box_of(others, boxes_).diagonal();
+      if (ratio > 1 / dwarfed && ratio < dwarfed)
         continue;
-      UnitMend mend{{}, factor};
-      for (std::size_t i : *cluster) {
-        for (Vector3& p : parts[i].points)
-          p *= factor;
-        boxes[i] = scaled(boxes[i], factor);
-        mend.objects.push_back(parts[i].name);
-        main.push_back(i);
+      std::vector<std::pair<int, double>> touched; // how many by which factor
+      for (double factor : factors)
+        for (double f : {factor, 1 / factor})
+          touched.emplace_back(std::count_if(clusters_.begin(), clusters_.end(),
+                                             [&](const Cluster& other) {
+                                               return &other != &keystone && like_sizes(keystone, f, other) &&
+                                                      joins(keystone, f, other, boxes_);
+                                             }),
+                               f);
+      std::sort(touched.rbegin(), touched.rend());
+      if (touched[0].first >= 2 && touched[0].first > touched[1].first) {
+        scale(Cluster(keystone), touched[0].second);
+        find_clusters_again();
+        return;
       }
-      if (!now)
-        mends.done.push_back(std::move(mend));
-      clusters.erase(cluster);
-      changed = true;
-      break;
     }
   }
-  for (const Cluster& cluster : clusters)
-    for (std::size_t i : cluster)
-      mends.strays.push_back(parts[i].name);
-  return mends;
+  bool like_sizes(const Cluster& cluster, double factor, const Cluster& other) const
+  {
+    const double ratio = factor * box_of(cluster, boxes_).diagonal() / box_of(other, boxes_).diagonal();
+    return ratio < 10 && ratio > 0.1;
+  }
+
+  bool join_one(Cluster& main)
+  {
+    for (auto cluster = clusters_.begin(); cluster != clusters_.end(); ++cluster) {
+      if (!joins(*cluster, 1, main, boxes_)) {
+        const double factor = find_factor(*cluster, main, boxes_,
+                                          subject_ + ": object '" + parts_[cluster->front()].name + "'");
+        if (factor == 0)
+          continue;
+        scale(*cluster, factor);
+      }
+      main.insert(main.end(), cluster->begin(), cluster->end());
+      clusters_.erase(cluster);
+      return true;
+    }
+    return false;
+  }
+
+  SurfaceMesh& parts_;
+  const std::string& subject_;
+  std::vector<Box> boxes_;
+  std::vector<Cluster> clusters_; // the main one first
+  UnitMends mends_;
+};
+
+} // namespace
+
+UnitMends mend_units(SurfaceMesh& parts, const std::string& subject)
+{
+  return parts.size() < 2 || parts.size() > most_parts ? UnitMends() : Mending(parts, subject).run();
 }
 
 } // namespace birdstrike

@@ -288,6 +288,7 @@ TEST_CASE("gaps between sound objects are no slip of units", "[geometry][import]
         p += row == 1 ? Vector3(gap, 0, 0) : Vector3(0, gap, 0);
     const ImportedMesh mesh =
         import_mesh({folder.write("bird.gltf", test::gltf_bytes(bird))}, {.nose = "x", .up = "z"});
+    CAPTURE(all_of(mesh.notes));
     CHECK((bounding_box(mesh.parts).upper - bounding_box(mesh.parts).lower -
            (bounding_box(bird).upper - bounding_box(bird).lower))
               .norm() < 1e-5);
