@@ -166,9 +166,9 @@ TEST_CASE("files that cannot be bird meshes are refused by name", "[geometry][im
   CHECK_THAT(input_error([&] { read_mesh(folder.write("bird.xyzzy", "1 2 3")); }),
              Contains("'.xyzzy'") && Contains("glTF"));
   CHECK_THAT(input_error([&] { read_mesh(folder.write("bird", "1 2 3")); }), Contains("unknown format"));
-  for (const char* cad : {"bird.step", "bird.STP", "bird.iges"})
-    CHECK_THAT(input_error([&] { read_mesh(folder.write(cad, "ISO-10303-21;")); }),
-               Contains("export STL, OBJ or glTF"));
+  for (const char* cad : {"bird.CATPart", "bird.sldprt"})
+    CHECK_THAT(input_error([&] { read_mesh(folder.write(cad, "V5_CFV2")); }),
+               Contains("one CAD program") && Contains("STL, OBJ or glTF"));
   CHECK_THAT(input_error([&] { read_mesh(folder.write("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n")); }),
              Contains("points.obj"));
   CHECK_THAT(

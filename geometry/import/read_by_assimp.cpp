@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Polygon files into named triangles, by assimp.
+#include "core/error.h"
+#include "geometry/import/formats.h"
+
+#include <assimp/Importer.hpp>
+#include <assimp/commonMetaData.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <unordered_map>
+
+namespace birdstrike {
+
+namespace {
+
+constexpr unsigned steps = aiProcess_ValidateDataStructure | aiProcess_Triangulate | aiProcess_SortByPType;
+
+std::string file_text(const std::filesystem::path& file) { return "mesh file '" + file.string() + "'"; }
+
+std::string lower_extension(const std::filesystem::path& file)
+{
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return extension;
+}
+
+//! Names that assimp's readers invent for files without names look like <STL_BINARY> or are one of these.
+std::string name_of(const aiString& text)
+{
+  const std::string name = text.C_Str();
+  return name.empty() || name[0] == '<' || name == "defaultobject" || name == "ROOT" ? std::string() : name;
+}
+
+class Collector
+{
+public:
+  //! An OBJ's meshes carry names of materials: only its nodes are objects. Solids of an STL are objects even
+  //! without a name.
+  Collector(const aiScene& scene, const std::filesystem::path& file, const std::string& extension)
+      : scene_(scene), file_(file), nodes_only_(extension == ".obj"), nameless_apart_(extension == ".stl")
+  {
+  }
+
+  void visit(const aiNode& node, const aiMatrix4x4& above)
+  {
+    const aiMatrix4x4 place = above * node.mTransformation;
+    for (unsigned m = 0; m < node.mNumMeshes; ++m)
+      add(*scene_.mMeshes[node.mMeshes[m]], node, place);
+    for (unsigned c = 0; c < node.mNumChildren; ++c)
+      visit(*node.mChildren[c], place);
+  }
+  RawScene result;
+
+private:
+  SurfacePart& part_named(const std::string& name)
+  {
+    if (name.empty() && nameless_apart_)
+      return result.parts.emplace_back();
+    const auto [at, is_new] = row_.try_emplace(name, result.parts.size());
+    if (is_new)
+      result.parts.push_back({name, {}, {}});
+    return result.parts[at->second];
+  }
+
+  void add(const aiMesh& mesh, const aiNode& node, const aiMatrix4x4& place)
+  {
+    if (!(mesh.mPrimitiveTypes & aiPrimitiveType_TRIANGLE))
+      return;
+    std::string name = name_of(node.mName);
+    if (name.empty() && !nodes_only_)
+      name = name_of(mesh.mName);
+    SurfacePart& part = part_named(name);
+    const std::string where = file_text(file_) + (name.empty() ? "" : ", part '" + name + "'");
+    require(part.points.size() + mesh.mNumVertices <= 3 * largest_part &&
+                part.triangles.size() + mesh.mNumFaces <= largest_part,
+            where + " has more than 700 million triangles; export it coarser");
+    const int first = int(part.points.size());
+    for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
+      const aiVector3D p = place * mesh.mVertices[v];
+      require(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z),
+              where + " has a coordinate that is not a finite number; export it again");
+      part.points.emplace_back(p.x, p.y, p.z);
+    }
+    const bool mirrored = place.Determinant() < 0;
+    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+      const aiFace& face = mesh.mFaces[f];
+      if (face.mNumIndices != 3)
+        continue;
+      for (int k = 0; k < 3; ++k)
+        require(face.mIndices[k] < mesh.mNumVertices,
+                where + " has a triangle with a corner that is not there; export it again");
+      const int a = first + int(face.mIndices[0]), b = first + int(face.mIndices[1]),
+                c = first + int(face.mIndices[2]);
+      part.triangles.push_back(mirrored ? std::array{a, c, b} : std::array{a, b, c});
+    }
+  }
+
+  const aiScene& scene_;
+  const std::filesystem::path& file_;
+  bool nodes_only_, nameless_apart_;
+  std::unordered_map<std::string, std::size_t> row_;
+};
+
+//! assimp keeps single precision: 0.001 comes as 0.00100000005.
+double six_digits(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return std::strtod(text, nullptr);
+}
+
+//! A binary STL that begins with the word "solid", or has bytes after its triangles, is text to assimp. What the
+//! count of triangles asks for, if this is such a file, else nothing.
+std::string misleading_binary_stl(const std::filesystem::path& file)
+{
+  constexpr std::size_t head = 84, facet = 50;
+  std::ifstream stream(file, std::ios::binary);
+  char start[head];
+  if (!stream.read(start, head))
+    return {};
+  std::uint32_t count = 0;
+  std::memcpy(&count, start + 80, 4); // little-endian, as this machine
+  const std::size_t size = std::size_t(std::filesystem::file_size(file)), wanted = head + facet * count;
+  const bool is_text =
+      std::all_of(start, start + head, [](unsigned char c) { return std::isprint(c) || std::isspace(c); });
+  if (count == 0 || size <= wanted || is_text)
+    return {};
+  std::string bytes(wanted, '\0');
+  stream.seekg(0);
+  stream.read(bytes.data(), std::streamsize(wanted));
+  std::memset(bytes.data(), ' ', 5); // no "solid" at the start
+  return stream ? bytes : std::string();
+}
+
+} // namespace
+
+bool assimp_knows(const std::string& extension)
+{
+  return !extension.empty() && Assimp::Importer().IsExtensionSupported(extension);
+}
+
+RawScene read_by_assimp(const std::filesystem::path& file)
+{
+  const std::string extension = lower_extension(file);
+  Assimp::Importer importer;
+  const aiScene* scene = nullptr;
+  std::string reason;
+  try {
+    const std::string bytes = extension == ".stl" ? misleading_binary_stl(file) : std::string();
+    scene = bytes.empty() ? importer.ReadFile(file.string(), steps)
+                          : importer.ReadFileFromMemory(bytes.data(), bytes.size(), steps, "stl");
+    reason = importer.GetErrorString();
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    reason = error.what();
+  }
+  if (reason.find("bad_alloc") != std::string::npos)
+    throw std::bad_alloc();
+  if (!scene || !scene->mRootNode)
+    throw InputError(
+        file_text(file) + " cannot be read (" + reason +
+        "); it may be cut short, empty of faces, or not what its extension says: export it again");
+
+  Collector collector(*scene, file, extension);
+  RawScene& result = collector.result;
+  aiMatrix4x4 above;
+  if (extension == ".dae") { // the root turns to +y up and scales to metres: undo the latter
+    result.unit = six_digits(std::cbrt(std::abs(scene->mRootNode->mTransformation.Determinant())));
+    require(std::isfinite(result.unit) && result.unit > 0, file_text(file) + " has a length unit of zero");
+    result.unit_source = "its header";
+    result.up = std::string("+y");
+    aiMatrix4x4::Scaling(aiVector3D(float(1 / result.unit)), above);
+  } else if (extension == ".gltf" || extension == ".glb") {
+    result.unit = 1;
+    result.unit_source = "glTF";
+    result.up = std::string("+y");
+    aiString generator;
+    if (scene->mMetaData && scene->mMetaData->Get(AI_METADATA_SOURCE_GENERATOR, generator))
+      result.finished = std::string(generator.C_Str()).rfind("BirdStrike", 0) == 0;
+  }
+  collector.visit(*scene->mRootNode, above);
+  return std::move(collector.result);
+}
+
+} // namespace birdstrike
