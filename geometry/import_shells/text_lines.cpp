@@ -32,9 +32,10 @@ std::string with_tabs_filled(std::string_view line)
 
 } // namespace
 
-TextLines::TextLines(const std::filesystem::path& file, const std::string& binary_remedy)
+TextLines::TextLines(const std::filesystem::path& file, const std::string& binary_remedy,
+                     const std::string& kind)
 {
-  const std::string name = "target file '" + file.string() + "'";
+  const std::string name = kind + " '" + file.string() + "'";
   std::error_code error;
   require(std::filesystem::exists(file, error), name + " does not exist; check the path");
   require(std::filesystem::is_regular_file(file, error), name + " is not a file");

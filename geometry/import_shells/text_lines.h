@@ -18,7 +18,9 @@ class TextLines
 public:
   //! \throw InputError naming the file: missing, not a file, empty, not readable, or with bytes that no text
   //! has; \p binary_remedy then says how to write it as text
-  TextLines(const std::filesystem::path& file, const std::string& binary_remedy);
+  //! \param kind  what the message calls it
+  TextLines(const std::filesystem::path& file, const std::string& binary_remedy,
+            const std::string& kind = "target file");
 
   std::size_t size() const { return lines_.size(); }
   const std::string& operator[](std::size_t row) const { return lines_[row]; } //!< row k is line k + 1
