@@ -5,6 +5,7 @@
 #include "cases/bird_form.h"
 #include "cases/log.h"
 #include "core/error.h"
+#include "geometry/import/formats.h"
 #include "geometry/import/import_mesh.h"
 #include "geometry/measure.h"
 #include "geometry/part_of_object.h"
