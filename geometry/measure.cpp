@@ -3,6 +3,8 @@
 #include "geometry/measure.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace birdstrike {
@@ -61,6 +63,19 @@ double signed_volume(const SurfacePart& part)
   double six_volumes = 0;
   visit_tetrahedra(part, [&](double v6, const Vector3&, const Vector3&) { six_volumes += v6; });
   return six_volumes / 6;
+}
+
+bool encloses_volume(const SurfacePart& part)
+{
+  // A flat box of 1 m x 1 m x 1 nm still counts; rounding in a flat sheet does not.
+  return std::abs(signed_volume(part)) > 1e-10 * std::pow(surface_area(part), 1.5);
+}
+
+bool has_no_area(const SurfacePart& part, const std::array<int, 3>& triangle, double height)
+{
+  const Vector3 &a = part.points[triangle[0]], &b = part.points[triangle[1]], &c = part.points[triangle[2]];
+  const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+  return (b - a).cross(c - a).norm() <= height * longest;
 }
 
 double surface_area(const SurfacePart& part)

@@ -24,6 +24,14 @@ Box bounding_box(const SurfaceMesh& mesh);
 //! Volume by the divergence theorem [m3]: negative if the surface is inside out, meaningless if it is open.
 double signed_volume(const SurfacePart& part);
 
+//! Does a balanced surface hold anything? A flat sheet of two sides does not, however well it is closed.
+bool encloses_volume(const SurfacePart& part);
+
+//! A triangle is without area when its height over its longest side is below this share of the part's size (the square
+//! root of its area).
+constexpr double no_area_share = 1e-9;
+bool has_no_area(const SurfacePart& part, const std::array<int, 3>& triangle, double height);
+
 double surface_area(const SurfacePart& part); //!< [m2]
 
 //! Centre of mass of the enclosed volume at equal density [m]; the middle of the box if the volume is zero.

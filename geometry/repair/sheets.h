@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Surfaces without thickness.
+#pragma once
+
+#include "geometry/surface_mesh.h"
+
+namespace birdstrike {
+
+//! Is an open surface a sheet, and no solid with holes? Decided by the lengths of its borders over its area,
+//!   Q = sum of (length of border)^2 / area.
+//! The isoperimetric inequality gives Q >= 4 pi for whatever is flat; a sphere with a hole has Q < 2 pi as long as the
+//! hole is narrower than the sphere. The limit lies between, at 3 pi. \param open  consistently wound
+bool is_sheet(const SurfacePart& open);
+
+//! Solid around a sheet, open or closed, one-sided or branching: both sides of every triangle are moved out by half the
+//! thickness along the corners' normals and joined by a rim along open edges. It is balanced whatever the sheet is like, but
+//! cuts itself where the sheet bends more tightly than the thickness. \param thickness  [m]
+SurfacePart thicken(const SurfacePart& sheet, double thickness);
+
+} // namespace birdstrike
