@@ -184,7 +184,7 @@ BuiltBird build_bird(const Case& parsed, const BirdMesh& mesh, Log& log)
 {
   const BirdCase& wish = parsed.bird;
   const std::string file = parsed.file.empty() ? mesh.name : parsed.file.string();
-  const std::vector<PartCase> parts = wish.species.empty() ? wish.parts : usual_parts(mesh, wish.parts);
+  const std::vector<PartCase> parts = wish.species.empty() && !parsed.file.empty() ? wish.parts : usual_parts(mesh, wish.parts);
   match_parts(parts, mesh, file);
   SurfaceMesh turned = mesh.objects;
   rotate(turned, {.yaw = wish.yaw, .pitch = wish.pitch, .roll = wish.roll});

@@ -19,6 +19,9 @@
 namespace birdstrike {
 namespace {
 
+//! Of a bird for which nobody says how fine it shall be.
+constexpr int usual_particles = 20000;
+
 //! Puts one entry's value where its key says.
 class Assignment
 {
@@ -169,10 +172,12 @@ bool is_empty_section(const Entry& entry)
 }
 
 //! Where the paths with '*' and those without are given, all required ones have to be.
-void require_keys(const Case& parsed, const std::set<std::string>& given, const std::string& file)
+//! \param within  only keys whose path starts so
+void require_keys(const Case& parsed, const std::set<std::string>& given, const std::string& file,
+                  std::string_view within)
 {
   for (const Key& key : case_keys()) {
-    if (!key.required || (key.only && !key.only->holds(parsed)) || (key.unless && key.unless->holds(parsed)))
+    if (!key.required || !key.path.starts_with(within) || (key.only && !key.only->holds(parsed)) || (key.unless && key.unless->holds(parsed)))
       continue;
     std::vector<std::string> paths{std::string(key.path)};
     if (const std::size_t star = key.path.find('*'); star != std::string_view::npos) {
@@ -319,6 +324,40 @@ void check_tables(const Case& parsed, const std::string& file)
   }
 }
 
+//! The keys that entries give, and where each was written.
+struct Given
+{
+  std::set<std::string> keys;
+  std::map<std::string, std::string> places;
+};
+
+//! Puts all entries where they belong.
+Given assign(const std::vector<Entry>& entries, Case& parsed)
+{
+  Given result;
+  for (const Entry& entry : entries) {
+    if (entry.is_table && make_empty_row(parsed, entry.path))
+      continue;
+    if (is_empty_section(entry))
+      continue;
+    const Key* key = find_key(entry.path);
+    if (!key)
+      unknown_key(entry);
+    if (entry.is_table)
+      throw InputError(fmt::format("{}: {} is an empty table: {} is needed", entry.place, join(entry.path),
+                                   kind_of(*key)));
+    const std::size_t row = row_for(parsed, *key, entry.path);
+    if (key->path.starts_with("eos.") && parsed.laws[row].place.empty())
+      parsed.laws[row].place = entry.place;
+    std::visit(Assignment(entry, *key), key->slot(parsed, row));
+    result.keys.insert(join(entry.path));
+    result.places[join(entry.path)] = entry.place;
+    if (key->dimension != Dimension::number)
+      parsed.written[join(entry.path)] = entry.found;
+  }
+  return result;
+}
+
 } // namespace
 
 std::vector<std::string> exact_names() { return {"mass", "density", "particle-mass"}; }
@@ -342,29 +381,8 @@ Case read_case_with(const std::filesystem::path& file, const std::vector<Entry>&
 
   Case parsed;
   parsed.file = file;
-  std::set<std::string> given;
-  std::map<std::string, std::string> places;
-  for (const Entry& entry : entries) {
-    if (entry.is_table && make_empty_row(parsed, entry.path))
-      continue;
-    if (is_empty_section(entry))
-      continue;
-    const Key* key = find_key(entry.path);
-    if (!key)
-      unknown_key(entry);
-    if (entry.is_table)
-      throw InputError(fmt::format("{}: {} is an empty table: {} is needed", entry.place, join(entry.path),
-                                   kind_of(*key)));
-    const std::size_t row = row_for(parsed, *key, entry.path);
-    if (key->path.starts_with("eos.") && parsed.laws[row].place.empty())
-      parsed.laws[row].place = entry.place;
-    std::visit(Assignment(entry, *key), key->slot(parsed, row));
-    given.insert(join(entry.path));
-    places[join(entry.path)] = entry.place;
-    if (key->dimension != Dimension::number)
-      parsed.written[join(entry.path)] = entry.found;
-  }
-  require_keys(parsed, given, file.string());
+  const auto [given, places] = assign(entries, parsed);
+  require_keys(parsed, given, file.string(), "");
   check_bird(parsed, given, file.string());
   refuse_idle_keys(parsed, entries);
   check_part_laws(parsed, places);
@@ -378,6 +396,30 @@ Case read_case_with(const std::filesystem::path& file, const std::vector<Entry>&
   check_tables(parsed, file.string());
   if (is_column(parsed))
     complete_column(parsed, given.contains("run.end"));
+  return parsed;
+}
+
+Case bird_alone(const std::vector<Entry>& entries, const std::string& name)
+{
+  Case parsed;
+  for (const Entry& entry : entries)
+    if (entry.path.front() != "bird" && entry.path.front() != "eos")
+      throw InputError(fmt::format("{}: {} = {}: a bird without a case file has only the keys bird.* and eos.*",
+                                   entry.place, join(entry.path), entry.found));
+  auto [given, places] = assign(entries, parsed);
+  BirdCase& bird = parsed.bird;
+  bird.velocity = given.contains("bird.velocity") ? bird.velocity : 0;
+  given.insert("bird.velocity");
+  if (!given.contains("bird.spacing") && !given.contains("bird.particles")) {
+    bird.particles = usual_particles;
+    given.insert("bird.particles");
+  }
+  if (!given.contains("bird.mass") && !given.contains("bird.exact") && bird.species.empty())
+    bird.exact = "density";
+  require_keys(parsed, given, name, "bird.");
+  check_bird(parsed, given, name);
+  refuse_idle_keys(parsed, entries);
+  check_part_laws(parsed, places);
   return parsed;
 }
 

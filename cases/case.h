@@ -100,6 +100,12 @@ struct Entry;
 //! The same with overrides that know where they were written, for messages.
 Case read_case_with(const std::filesystem::path& file, const std::vector<Entry>& overrides);
 
+//! A bird without a case file and without a target, from keys of bird and eos alone. By itself it has 20,000 particles and
+//! the mass that its materials give; its parts may be left to usual_parts.
+//! \param name  of the bird, for messages
+//! \throw InputError as read_case
+Case bird_alone(const std::vector<Entry>& entries, const std::string& name);
+
 //! The case as TOML with every default filled in; read_case gives an equal case back. Files beside the case are named by
 //! their whole path.
 std::string to_toml(const Case& parsed);

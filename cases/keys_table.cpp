@@ -3,6 +3,7 @@
 #include "cases/key_ranges.h"
 #include "cases/keys.h"
 #include "cases/bird_form.h"
+#include "cases/certification.h"
 #include "cases/shape_parts_case.h"
 #include "core/material/porous_bird.h"
 #include "geometry/fill.h"
@@ -101,7 +102,7 @@ std::vector<Key> rows_before_target()
     {"bird.up", number, "", false, {}, "axis of the mesh file that points to the bird's back; found if not given", SLOT(bird.up), axis_names, &with_mesh},
     {"bird.strict", number, "", false, {}, "refuse a mesh that would have to be repaired", SLOT(bird.strict), nullptr, &with_mesh},
     {"bird.thickness", length, "mm", false, above(0), "given to surfaces of the mesh that have none, such as wings; two spacings if not given", SLOT(bird.thickness), nullptr, &with_mesh},
-    {"bird.mass", mass, "kg", true, above(0), "mass of the whole bird, or the name of a rule that fixes it, such as \"14 CFR 25.631\"; met exactly", SLOT(bird.mass), nullptr, &weighed, &with_species, nullptr},
+    {"bird.mass", mass, "kg", true, above(0), "mass of the whole bird, or the name of a rule that fixes it, such as \"14 CFR 25.631\"; met exactly", SLOT(bird.mass), nullptr, &weighed, &with_species, certification_mass},
     {"bird.exact", number, "", false, {}, "what is met exactly: mass scales the densities of all parts by one factor; density keeps them, and the mass is what comes out; particle-mass scales the masses of the particles alone (section 8.3.3)", SLOT(bird.exact), exact_names, &no_column},
     {"bird.spacing", length, "mm", true, above(0), "distance between particles: cube root of the volume that one stands for", SLOT(bird.spacing), nullptr, &by_spacing},
     {"bird.particles", number, "", false, at_least(1), "number of particles, met as nearly as the lattice can; in place of bird.spacing", SLOT(bird.particles), nullptr, &by_number},

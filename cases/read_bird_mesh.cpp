@@ -5,7 +5,6 @@
 #include "cases/bird_form.h"
 #include "cases/log.h"
 #include "core/error.h"
-#include "geometry/import/formats.h"
 #include "geometry/import/import_mesh.h"
 #include "geometry/measure.h"
 #include "geometry/part_of_object.h"
@@ -20,6 +19,16 @@ namespace {
 
 //! No bird that flies is outside of this; a mesh that is has another unit.
 constexpr double smallest_bird = 0.02, largest_bird = 10; // [m]
+
+bool is_mesh_file(const std::filesystem::path& file)
+{
+  static const std::vector<std::string> known{".obj", ".gltf", ".glb", ".ply",  ".stl", ".dae",  ".3mf", ".off",
+                                              ".x3d", ".3ds",  ".fbx", ".step", ".stp", ".iges", ".igs"};
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return std::find(known.begin(), known.end(), extension) != known.end();
+}
 
 void check_size(const SurfaceMesh& objects, const std::string& name)
 {
