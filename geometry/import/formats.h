@@ -18,7 +18,7 @@ RawScene read_3mf(const std::filesystem::path& file);
 //! STEP and IGES by OpenCASCADE, made triangles: one part a named solid or shell. Where the build has no
 //! OpenCASCADE: \throw InputError saying what to export instead
 //! \param coarseness  largest distance between triangles and the true surface, as a share of the diagonal
-RawScene read_cad(const std::filesystem::path& file, double coarseness = 5e-4);
+RawScene read_cad(const std::filesystem::path& file, double coarseness = 2e-4);
 bool cad_is_read(); //!< this build has OpenCASCADE
 
 } // namespace birdstrike

@@ -51,11 +51,16 @@ void limit(int resource, rlim_t value)
   setrlimit(static_cast<__rlimit_resource>(resource), &now);
 }
 
-rlim_t address_space()
+struct Memory
 {
-  unsigned long long pages = 0;
-  std::ifstream("/proc/self/statm") >> pages;
-  return pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
+  unsigned long long space = 0, resident = 0; // [bytes]
+};
+Memory memory_of(const std::string& process)
+{
+  Memory memory;
+  std::ifstream("/proc/" + process + "/statm") >> memory.space >> memory.resident;
+  const auto page = static_cast<unsigned long long>(sysconf(_SC_PAGESIZE));
+  return {page * memory.space, page * memory.resident};
 }
 
 bool write_all(int pipe, const char* bytes, std::size_t count)
@@ -98,7 +103,7 @@ void take_default_signals()
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_CPU, rlim_t(std::ceil(limits.seconds)) + 5);
   if (limits.memory > 0 && !sanitized)
-    limit(RLIMIT_AS, address_space() + limits.memory);
+    limit(RLIMIT_AS, memory_of("self").space + limits.memory);
 
   char kind = good;
   std::string answer;
@@ -172,26 +177,37 @@ struct Pipe
 
 using Clock = std::chrono::steady_clock;
 
-//! Whatever arrives before the whole answer is there, the pipe is closed, or the time is over (false).
-bool receive(int pipe, Clock::time_point end, std::string& bytes)
+enum class Ending
+{
+  answer,
+  time,
+  memory
+};
+
+//! Whatever arrives before the whole answer is there or the pipe is closed, the time is over, or the child, watched
+//! from outside as well, holds more memory than \p most.
+Ending receive(int pipe, pid_t child, Clock::time_point end, unsigned long long most, std::string& bytes)
 {
   std::size_t wanted = header_size;
   char block[1 << 16];
   while (bytes.size() < wanted) {
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
     if (left <= 0)
-      return false;
+      return Ending::time;
     pollfd ready{pipe, POLLIN, 0};
-    const int count = poll(&ready, 1, int(std::min<long long>(left, 1000)));
+    const int count = poll(&ready, 1, int(std::min<long long>(left, 200)));
     if (count < 0 && errno != EINTR)
-      return true;
-    if (count <= 0)
+      return Ending::answer;
+    if (count <= 0) {
+      if (memory_of(std::to_string(child)).resident > most)
+        return Ending::memory;
       continue;
+    }
     const ssize_t got = ::read(pipe, block, sizeof block);
     if (got < 0 && errno == EINTR)
       continue;
     if (got <= 0)
-      return true;
+      return Ending::answer;
     bytes.append(block, std::size_t(got));
     if (wanted == header_size && bytes.size() >= header_size) {
       std::uint64_t length = 0;
@@ -199,7 +215,7 @@ bool receive(int pipe, Clock::time_point end, std::string& bytes)
       wanted = header_size + std::size_t(length);
     }
   }
-  return true;
+  return Ending::answer;
 }
 
 bool is_whole(const std::string& bytes)
@@ -231,10 +247,16 @@ std::string run_isolated(const std::string& subject, const IsolationLimits& limi
 
   std::string bytes;
   const auto end = Clock::now() + std::chrono::milliseconds(std::int64_t(1000 * limits.seconds));
-  if (!receive(pipe.ends[0], end, bytes))
+  const auto most = limits.memory > 0 ? memory_of("self").resident + limits.memory : ~0ull;
+  const Ending ending = receive(pipe.ends[0], id, end, most, bytes);
+  if (ending == Ending::time)
     throw InputError(subject + " keeps the reader busy for more than " +
                      std::to_string(std::int64_t(limits.seconds)) +
                      " s; it is damaged or far too large: export it again, coarser if need be");
+  const std::string too_much =
+      subject + " makes the reader take more memory than it may; it is damaged or far too large: export it "
+                "again, coarser if need be";
+  require(ending != Ending::memory, too_much);
   if (is_whole(bytes)) {
     switch (bytes[0]) {
     case good:
@@ -244,10 +266,7 @@ std::string run_isolated(const std::string& subject, const IsolationLimits& limi
       throw InputError(bytes.size() > header_size ? bytes.substr(header_size)
                                                   : subject + " cannot be read; export it again");
     case no_memory:
-      throw InputError(
-          subject +
-          " makes the reader take more memory than it may; it is damaged or far too large: export it "
-          "again, coarser if need be");
+      throw InputError(too_much);
     }
   }
   const int status = child.wait();

@@ -8,12 +8,12 @@
 
 namespace birdstrike {
 
+//! Memory is watched by the parent, and kept by the system except under AddressSanitizer, whose shadow needs
+//! terabytes of address space.
 struct IsolationLimits
 {
-  double seconds = 60; //!< wall clock, until the child is ended [s]
-  std::size_t memory =
-      0; //!< address space that the child may add to what it starts with [bytes]; 0: no limit.
-         //!< Not kept under AddressSanitizer, whose shadow needs terabytes of it
+  double seconds = 60;    //!< wall clock, until the child is ended [s]
+  std::size_t memory = 0; //!< what the child may add to what it starts with [bytes]; 0: no limit
 };
 
 //! Run \p work in a forked copy of this process and hand back what it returns. Its standard output and error
