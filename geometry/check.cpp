@@ -75,8 +75,9 @@ std::string complaint(const SurfaceReport& r)
            std::to_string(r.crowded_edges) +
            " edges have more than two faces; remove doubled faces, so that the surface bounds one solid";
   if (r.crowded_edges > 0)
-    return times(r.crowded_edges, "edge has", "edges have") + " more than two faces; remove inner walls and "
-                                                              "doubled faces, so that the surface bounds one solid";
+    return times(r.crowded_edges, "edge has", "edges have") +
+           " more than two faces; remove inner walls and "
+           "doubled faces, so that the surface bounds one solid";
   if (r.t_junctions > 0)
     return times(r.t_junctions, "corner lies", "corners lie") +
            " on the side of a face without being joined to it (T-junction), so that " +
@@ -97,8 +98,9 @@ std::string complaint(const SurfaceReport& r)
   if (r.degenerate_faces > 0)
     return times(r.degenerate_faces, "face has", "faces have") + " no area; dissolve degenerate faces";
   if (r.volume == 0 || !r.oriented)
-    return r.volume < 0 ? "the normals point inwards; flip them"
-                        : "a piece of it is flat or inside out; remove it or recalculate the normals outwards";
+    return r.volume < 0
+               ? "the normals point inwards; flip them"
+               : "a piece of it is flat or inside out; remove it or recalculate the normals outwards";
   return {};
 }
 

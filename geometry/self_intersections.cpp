@@ -101,7 +101,8 @@ private:
       cut = CGAL::coplanar(p, q, points_[a[i]], points_[b[j]]) &&
             CGAL::coplanar_orientation(p, q, points_[a[i]], points_[b[j]]) == CGAL::POSITIVE;
     } else if (shared == 1) {
-      cut = CGAL::do_intersect(triangle(a), opposite(b, at_b)) || CGAL::do_intersect(triangle(b), opposite(a, at_a));
+      cut = CGAL::do_intersect(triangle(a), opposite(b, at_b)) ||
+            CGAL::do_intersect(triangle(b), opposite(a, at_a));
     } else {
       cut = CGAL::do_intersect(triangle(a), triangle(b));
     }

@@ -10,12 +10,12 @@ namespace birdstrike {
 
 struct Topology
 {
-  std::size_t open_edges = 0;    //!< with one triangle
-  std::size_t crowded_edges = 0; //!< with more than two triangles
-  std::size_t mixed_edges = 0;   //!< with two triangles that are wound opposite ways
+  std::size_t open_edges = 0;       //!< with one triangle
+  std::size_t crowded_edges = 0;    //!< with more than two triangles
+  std::size_t mixed_edges = 0;      //!< with two triangles that are wound opposite ways
   std::size_t unbalanced_edges = 0; //!< used more often in one direction than in the other
-  int components = 0;            //!< pieces connected through edges
-  std::vector<int> component;    //!< piece of every triangle
+  int components = 0;               //!< pieces connected through edges
+  std::vector<int> component;       //!< piece of every triangle
 
   //! The triangles once more, with corners counted anew so that the triangles around every corner form one
   //! fan (a point where two cones touch becomes two corners); rows of \p fan_point.

@@ -14,7 +14,8 @@ double winding_number(const SurfacePart& part, const Vector3& point)
   for (const auto& t : part.triangles) {
     const Vector3 a = part.points[t[0]] - point, b = part.points[t[1]] - point, c = part.points[t[2]] - point;
     const double la = a.norm(), lb = b.norm(), lc = c.norm();
-    half_angles += std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+    half_angles +=
+        std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
   }
   return half_angles / (2 * std::numbers::pi);
 }

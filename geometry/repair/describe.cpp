@@ -41,9 +41,13 @@ std::string faults(const SurfaceReport& r)
   if (r.self_intersections > 0) {
     text += text.empty() ? "" : ", ";
     text += r.more_self_intersections ? "at least " : "";
-    text += count_text(r.self_intersections, "pair of faces that cut each other", "pairs of faces that cut each other");
+    text += count_text(r.self_intersections, "pair of faces that cut each other",
+                       "pairs of faces that cut each other");
   }
-  return text.empty() ? (r.oriented ? "sound" : "inside out") : text;
+  return !text.empty()  ? text
+         : r.oriented   ? "sound"
+         : r.volume < 0 ? "inside out"
+                        : "a piece is inside out, or looks outwards inside another";
 }
 
 } // namespace
@@ -51,11 +55,11 @@ std::string faults(const SurfaceReport& r)
 std::string length_text(double length)
 {
   const double size = std::abs(length);
-  return size == 0      ? "0"
-         : size < 1e-3  ? number(length * 1e6, "um")
-         : size < 1     ? number(length * 1e3, "mm")
-         : size < 1000  ? number(length, "m")
-                        : number(length / 1000, "km");
+  return size == 0     ? "0"
+         : size < 1e-3 ? number(length * 1e6, "um")
+         : size < 1    ? number(length * 1e3, "mm")
+         : size < 1000 ? number(length, "m")
+                       : number(length / 1000, "km");
 }
 
 std::string count_text(std::size_t count, const std::string& one, const std::string& many)
@@ -66,9 +70,9 @@ std::string count_text(std::size_t count, const std::string& one, const std::str
 std::string describe(const PartRepair& repair)
 {
   const SurfaceReport &before = repair.before, &after = repair.after;
-  std::string text = "part '" + before.name + "': " + count_text(before.triangles, "triangle", "triangles") + ", " +
-                     count_text(before.components, "piece", "pieces") + ", " + size_text(before) + ": " +
-                     faults(before) + "\n";
+  std::string text = "part '" + before.name + "': " + count_text(before.triangles, "triangle", "triangles") +
+                     ", " + count_text(before.components, "piece", "pieces") + ", " + size_text(before) +
+                     ": " + faults(before) + "\n";
   for (const std::string& action : repair.actions)
     text += "  " + action + "\n";
   for (const std::string& note : repair.notes)
@@ -78,8 +82,9 @@ std::string describe(const PartRepair& repair)
             number(after.volume * 1e6, "cm3");
     if (before.volume != 0)
       text += " (was " + number(before.volume * 1e6, "cm3") + ")";
-    text += "; the surface moved by at most " + length_text(repair.largest_move) + ", " +
-            length_text(repair.mean_move) + " on average\n";
+    text += repair.largest_move > 0 ? "; the surface moved by at most " + length_text(repair.largest_move) +
+                                          ", " + length_text(repair.mean_move) + " on average\n"
+                                    : "; the surface stayed where it was\n";
   }
   return text;
 }

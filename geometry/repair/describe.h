@@ -7,7 +7,8 @@
 
 namespace birdstrike {
 
-std::string length_text(double length);                                                      //!< [m]; "14 mm"
-std::string count_text(std::size_t count, const std::string& one, const std::string& many); //!< "1 hole", "2 holes"
+std::string length_text(double length); //!< [m]; "14 mm"
+std::string count_text(std::size_t count, const std::string& one,
+                       const std::string& many); //!< "1 hole", "2 holes"
 
 } // namespace birdstrike

@@ -15,7 +15,8 @@ namespace birdstrike {
 
 namespace {
 
-constexpr std::size_t longest_loop = 800; // points; CGAL's search for the least area grows with the cube at worst
+constexpr std::size_t longest_loop =
+    800; // points; CGAL's search for the least area grows with the cube at worst
 
 std::vector<std::array<int, 3>> least_area_cap(const SurfacePart& part, const std::vector<int>& loop)
 {

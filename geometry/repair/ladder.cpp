@@ -20,6 +20,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 namespace birdstrike {
 
@@ -40,7 +41,8 @@ bool is_one_sided(const SurfacePart& shell)
 class Ladder
 {
 public:
-  Ladder(const SurfacePart& part, const SurfaceReport& before, const RepairSizes& sizes) : sizes_(sizes), soup_(part)
+  Ladder(const SurfacePart& part, const SurfaceReport& before, const RepairSizes& sizes)
+      : sizes_(sizes), soup_(part)
   {
     report_.before = before;
   }
@@ -56,18 +58,17 @@ public:
     report_.after = check_surface(part);
     if (!bounds_a_body(part))
       wrap(part);
-    if (!report_.actions.empty()) {
-      const bool only_turned = body_changed_ == false;
-      if (!only_turned) {
-        const Move move = surface_move(part, reference_);
-        report_.largest_move = std::max(move.largest, gap_);
-        report_.mean_move = move.mean;
-      }
+    if (body_changed_) {
+      const Move move = surface_move(part, reference_);
+      report_.largest_move = without_rounding(std::max(move.largest, gap_));
+      report_.mean_move = without_rounding(move.mean);
     }
     return {std::move(part), std::move(report_)};
   }
 
 private:
+  double without_rounding(double length) const { return length > 1e-9 * std::sqrt(total_area_) ? length : 0; }
+
   void did(const std::string& action) { report_.actions.push_back(action); }
   void changed(const std::string& action)
   {
@@ -98,7 +99,8 @@ private:
     if (find_topology(soup_).open_edges > 0)
       stitching = stitch(soup_, sizes_.spacing / 2);
     if (report_.before.degenerate_faces > 0) {
-      const std::string flat = count_text(report_.before.degenerate_faces, "triangle", "triangles") + " without area";
+      const std::string flat =
+          count_text(report_.before.degenerate_faces, "triangle", "triangles") + " without area";
       if (!find_topology(soup_).balanced() && find_topology(with_flat_).balanced()) {
         soup_ = with_flat_; // they hold the surface together
         stitching = {};
@@ -107,7 +109,8 @@ private:
         did("dropped " + flat);
       }
     }
-    gap_ = stitching.gap;
+    total_area_ = surface_area(soup_);
+    gap_ = without_rounding(stitching.gap);
     if (stitching.joined + stitching.split > 0) {
       const std::string joined = "joined " + count_text(stitching.joined, "border point", "border points"),
                         split = "split sides at " + count_text(stitching.split, "T-junction", "T-junctions");
@@ -129,7 +132,8 @@ private:
     for (std::size_t t = 0; t < soup_.triangles.size(); ++t) {
       const int s = winding.shell[t];
       const auto [a, b, c] = soup_.triangles[t];
-      const double twice = (soup_.points[b] - soup_.points[a]).cross(soup_.points[c] - soup_.points[a]).norm();
+      const double twice =
+          (soup_.points[b] - soup_.points[a]).cross(soup_.points[c] - soup_.points[a]).norm();
       ++shells[s].own;
       shells[s].flipped += winding.flipped[t];
       area[s] += twice;
@@ -157,17 +161,13 @@ private:
       return;
     }
     const auto holes = find_holes(shell.surface);
-    if (!holes.empty() && is_sheet(shell.surface)) {
-      sheets_.push_back(std::move(shell.surface));
-      return;
-    }
     const SurfacePart open = shell.surface;
     double caps = 0, widest = 0;
     for (const auto& hole : holes) {
       widest = std::max(widest, loop_width(open, hole));
       caps += fill_hole(shell.surface, hole);
     }
-    if (!encloses_volume(shell.surface)) {
+    if (!encloses_volume(shell.surface) || (!holes.empty() && is_sheet(open, shell.surface))) {
       sheets_.push_back(open);
       return;
     }
@@ -187,7 +187,9 @@ private:
       all += shell.own;
     }
     if (flipped > 0)
-      did("flipped " + (flipped == all ? "all " + std::to_string(all) : std::to_string(flipped) + " of " + std::to_string(all)) +
+      did("flipped " +
+          (flipped == all ? "all " + std::to_string(all)
+                          : std::to_string(flipped) + " of " + std::to_string(all)) +
           " triangles");
     const auto note = [&](std::size_t count, const std::string& one, const std::string& many) {
       if (count > 0)
@@ -195,11 +197,15 @@ private:
     };
     note(nesting.cavities, "piece lies inside another and looks inwards: it is the wall of a cavity",
          "pieces lie inside others and look inwards: they are walls of cavities");
-    note(nesting.guessed, "of them was wound so mixed that this is a guess", "of them were wound so mixed that this is a guess");
-    note(nesting.nested, "piece lies inside another and looks outwards: it is taken as filled and changes nothing",
+    note(nesting.guessed, "of them was wound so mixed that this is a guess",
+         "of them were wound so mixed that this is a guess");
+    note(nesting.nested,
+         "piece lies inside another and looks outwards: it is taken as filled and changes nothing",
          "pieces lie inside others and look outwards: they are taken as filled and change nothing");
     if (nesting.overlapping > 0)
-      report_.notes.push_back("pieces overlap: they are taken as one body, whose volume counts what they share once");
+      report_.notes.push_back(
+          "pieces overlap: they are taken as one body (the volume given here counts what they share "
+          "twice)");
   }
 
   void add_sheets()

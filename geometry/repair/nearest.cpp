@@ -54,7 +54,8 @@ Move surface_move(const SurfacePart& one, const SurfacePart& other)
       const auto& t = from.triangles[i];
       const Vector3 &a = from.points[t[0]], &b = from.points[t[1]], &c = from.points[t[2]];
       const double middle = nearest.distance((a + b + c) / 3), twice_area = (b - a).cross(c - a).norm();
-      move.largest = std::max({move.largest, middle, nearest.distance(a), nearest.distance(b), nearest.distance(c)});
+      move.largest =
+          std::max({move.largest, middle, nearest.distance(a), nearest.distance(b), nearest.distance(c)});
       weighted += twice_area * middle;
       area += twice_area;
     }

@@ -13,7 +13,8 @@ class Nearest
 public:
   explicit Nearest(const SurfacePart& part); //!< triangles without area are left out
   ~Nearest();
-  Vector3 point(const Vector3& from) const; //!< nearest point of the surface; \p from if there are no triangles
+  Vector3
+  point(const Vector3& from) const; //!< nearest point of the surface; \p from if there are no triangles
   double distance(const Vector3& from) const { return (point(from) - from).norm(); }
 
 private:

@@ -27,7 +27,8 @@ struct Neighbour
 };
 
 // Neighbours across edges with exactly two triangles.
-std::vector<std::vector<Neighbour>> find_neighbours(const SurfacePart& part, const std::vector<HalfEdge>& edges)
+std::vector<std::vector<Neighbour>> find_neighbours(const SurfacePart& part,
+                                                    const std::vector<HalfEdge>& edges)
 {
   std::vector<std::vector<Neighbour>> neighbours(part.triangles.size());
   visit_edges(edges, [&](std::span<const HalfEdge> edge) {
@@ -125,7 +126,8 @@ Winding wind_alike(SurfacePart& part)
   visit_edges(edges, [&](std::span<const HalfEdge> edge) {
     if (edge.size() == 2) {
       const bool alike = edge[0].forward != edge[1].forward;
-      winding.one_sided_edges += alike == (winding.flipped[edge[0].triangle] != winding.flipped[edge[1].triangle]);
+      winding.one_sided_edges +=
+          alike == (winding.flipped[edge[0].triangle] != winding.flipped[edge[1].triangle]);
     }
     if (edge.size() <= 2)
       return;

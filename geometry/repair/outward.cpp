@@ -42,7 +42,8 @@ Nesting turn_outward(std::vector<Shell>& shells)
   // A shell has a larger box than those inside it.
   std::vector<int> order(count);
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int l, int r) { return box[l].diagonal() > box[r].diagonal(); });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int l, int r) { return box[l].diagonal() > box[r].diagonal(); });
 
   Nesting nesting;
   for (int at = 0; at < count; ++at) {

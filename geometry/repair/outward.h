@@ -14,14 +14,15 @@ struct Shell
   SurfacePart surface;
   bool trusted = true; //!< its winding came with the file, by at least three quarters of its area
   bool turned = false; //!< set by turn_outward
-  std::size_t own = 0, flipped = 0; //!< triangles that came with the file, and how many of them were flipped before
+  std::size_t own = 0,
+              flipped = 0; //!< triangles that came with the file, and how many of them were flipped before
 };
 
 struct Nesting
 {
-  std::size_t cavities = 0;    //!< shells that look inwards, inside others: holes of the body
-  std::size_t guessed = 0;     //!< of these, those whose winding was too mixed to tell them from nested shells
-  std::size_t nested = 0;      //!< shells that look outwards inside others: they change nothing
+  std::size_t cavities = 0; //!< shells that look inwards, inside others: holes of the body
+  std::size_t guessed = 0;  //!< of these, those whose winding was too mixed to tell them from nested shells
+  std::size_t nested = 0;   //!< shells that look outwards inside others: they change nothing
   std::size_t overlapping = 0; //!< shells that are partly inside others
 };
 

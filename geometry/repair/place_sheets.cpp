@@ -89,7 +89,8 @@ void append(SurfacePart& part, const SurfacePart& other)
 std::optional<Wrapped> wrap_as_solid(const SurfacePart& soup, const RepairSizes& sizes)
 {
   const double diagonal = bounding_box(soup).diagonal(), area = surface_area(soup);
-  for (double alpha = std::max(2 * sizes.spacing, finest_wrap * diagonal); alpha <= 0.25 * diagonal; alpha *= 2) {
+  for (double alpha = std::max(2 * sizes.spacing, finest_wrap * diagonal); alpha <= 0.25 * diagonal;
+       alpha *= 2) {
     const double offset = alpha / 20;
     Wrapped wrapped{alpha_wrap(soup, alpha, offset), alpha, offset};
     if (signed_volume(wrapped.skin) > 2 * 2 * offset * area) {

@@ -10,8 +10,8 @@ namespace birdstrike {
 
 struct SheetWork
 {
-  std::vector<SurfacePart> solids;  //!< closed and outward, made of sheets
-  SurfacePart used;                 //!< the sheets that they were made of
+  std::vector<SurfacePart> solids; //!< closed and outward, made of sheets
+  SurfacePart used;                //!< the sheets that they were made of
   std::vector<std::string> actions, notes;
 };
 

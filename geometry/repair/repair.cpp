@@ -3,8 +3,9 @@
 #include "geometry/repair/repair.h"
 
 #include "core/error.h"
-#include "geometry/repair/ladder.h"
+#include "geometry/half_edges.h"
 #include "geometry/measure.h"
+#include "geometry/repair/ladder.h"
 
 #include <cmath>
 
@@ -40,11 +41,14 @@ RepairedMesh repair(const SurfaceMesh& mesh, const RepairOptions& options, const
 {
   const std::string name = "mesh '" + file.string() + "'";
   require(!mesh.empty(), name + " holds no part to fill");
-  require(options.spacing >= 0 && options.thickness >= 0 && std::isfinite(options.spacing + options.thickness),
+  require(options.spacing >= 0 && options.thickness >= 0 &&
+              std::isfinite(options.spacing + options.thickness),
           name + ": spacing and thickness of the repair must not be negative");
   double area = 0;
-  for (const SurfacePart& part : mesh)
+  for (const SurfacePart& part : mesh) {
+    sorted_half_edges(part); // refuses triangles without points
     area += surface_area(part);
+  }
   RepairSizes sizes;
   sizes.spacing = options.spacing > 0 ? options.spacing : std::sqrt(area) / 80;
   sizes.thickness = options.thickness > 0 ? options.thickness : 2 * sizes.spacing;
@@ -52,6 +56,8 @@ RepairedMesh repair(const SurfaceMesh& mesh, const RepairOptions& options, const
   RepairedMesh repaired;
   for (const SurfacePart& part : mesh) {
     const std::string where = name + ", part '" + part.name + "': ";
+    for (const Vector3& p : part.points)
+      require(p.allFinite(), where + "a coordinate is not a finite number; export it again");
     const SurfaceReport report = check_surface(part);
     const std::string what = complaint(report);
     if (what.empty()) {
@@ -60,7 +66,8 @@ RepairedMesh repair(const SurfaceMesh& mesh, const RepairOptions& options, const
       continue;
     }
     require(report.triangles > 0, where + what);
-    require(!options.strict, where + what + "; " + (options.strict ? without_strict(part, report, sizes) : ""));
+    require(!options.strict,
+            where + what + "; " + (options.strict ? without_strict(part, report, sizes) : ""));
     try {
       LadderResult result = climb_ladder(part, report, sizes);
       repaired.parts.push_back(std::move(result.part));

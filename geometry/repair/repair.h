@@ -13,8 +13,9 @@ namespace birdstrike {
 
 struct RepairOptions
 {
-  bool strict = false;  //!< change nothing: the first fault is an error
-  double spacing = 0;   //!< of the particles [m]: details finer than it need not survive; 0: from the mesh's size
+  bool strict = false; //!< change nothing: the first fault is an error
+  double spacing =
+      0; //!< of the particles [m]: details finer than it need not survive; 0: from the mesh's size
   double thickness = 0; //!< given to surfaces without thickness [m]; 0: two spacings
 };
 

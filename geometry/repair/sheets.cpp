@@ -50,7 +50,8 @@ DisjointSets join_sides(const SurfacePart& sheet, const std::vector<HalfEdge>& e
 }
 
 // Where the corners go: along the mean normal, so far that the planes around it move by `half` on average.
-std::vector<Vector3> moved_corners(const SurfacePart& sheet, const std::vector<int>& label, int count, double half)
+std::vector<Vector3> moved_corners(const SurfacePart& sheet, const std::vector<int>& label, int count,
+                                   double half)
 {
   std::vector<Vector3> normal(count, Vector3::Zero()), place(count);
   std::vector<double> angles(count, 0);
@@ -80,12 +81,14 @@ std::vector<Vector3> moved_corners(const SurfacePart& sheet, const std::vector<i
 
 } // namespace
 
-bool is_sheet(const SurfacePart& open)
+bool is_sheet(const SurfacePart& open, const SurfacePart& capped)
 {
   double squares = 0;
   for (const auto& loop : find_holes(open))
     squares += std::pow(loop_length(open, loop), 2);
-  return squares > 3 * std::numbers::pi * surface_area(open);
+  const double compactness =
+      36 * std::numbers::pi * std::pow(signed_volume(capped), 2) / std::pow(surface_area(capped), 3);
+  return squares > 3 * std::numbers::pi * surface_area(open) && compactness < 0.5;
 }
 
 SurfacePart thicken(const SurfacePart& sheet, double thickness)
@@ -105,8 +108,8 @@ SurfacePart thicken(const SurfacePart& sheet, double thickness)
       return;
     const HalfEdge& e = edge.front();
     const int from = e.forward ? e.at_low : e.at_high, to = e.forward ? e.at_high : e.at_low;
-    const int a = label[corner_row(from, 0)], b = label[corner_row(to, 0)], below_a = label[corner_row(from, 1)],
-              below_b = label[corner_row(to, 1)];
+    const int a = label[corner_row(from, 0)], b = label[corner_row(to, 0)],
+              below_a = label[corner_row(from, 1)], below_b = label[corner_row(to, 1)];
     solid.triangles.push_back({b, a, below_a});
     solid.triangles.push_back({b, below_a, below_b});
   });

@@ -9,8 +9,11 @@ namespace birdstrike {
 //! Is an open surface a sheet, and no solid with holes? Decided by the lengths of its borders over its area,
 //!   Q = sum of (length of border)^2 / area.
 //! The isoperimetric inequality gives Q >= 4 pi for whatever is flat; a sphere with a hole has Q < 2 pi as long as the
-//! hole is narrower than the sphere. The limit lies between, at 3 pi. \param open  consistently wound
-bool is_sheet(const SurfacePart& open);
+//! hole is narrower than the sphere. The limit lies between, at 3 pi. A ragged border is long without meaning it: what
+//! is compact once it is capped, 36 pi volume^2 / area^3 > 1/2 (1 for a sphere, 0.52 for a cube), is no sheet either.
+//! \param open    consistently wound
+//! \param capped  the same with its holes filled
+bool is_sheet(const SurfacePart& open, const SurfacePart& capped);
 
 //! Solid around a sheet, open or closed, one-sided or branching: both sides of every triangle are moved out by half the
 //! thickness along the corners' normals and joined by a rim along open edges. It is balanced whatever the sheet is like, but
