@@ -28,5 +28,5 @@ install(FILES "${PROJECT_BINARY_DIR}/BirdStrikeConfig.cmake" "${PROJECT_BINARY_D
   DESTINATION "${config_folder}")
 
 install(DIRECTORY cases/ DESTINATION "${share_folder}/cases" FILES_MATCHING PATTERN "*.toml")
-install(DIRECTORY share/meshes share/materials share/reference DESTINATION "${share_folder}")
+install(DIRECTORY share/meshes share/materials share/reference share/rules DESTINATION "${share_folder}")
 install(FILES LICENSE README.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")
