@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "core/format_text.h"
+#include "geometry/decks/deck_number.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,7 +58,7 @@ public:
           next = 0.5 * (good + bad);
           (close(from, next) ? good : bad) = next;
         }
-        next = good;
+        next = rounded(good, table_digits);
       }
       if (next == from || rows.size() >= most_rows)
         throw InputError(format_text(

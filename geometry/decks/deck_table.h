@@ -15,6 +15,9 @@ enum class TableAxis
   log_volume   //!< ln(rho0/rho): LS-DYNA, Abaqus
 };
 
+//! Digits of a table's numbers in a deck.
+inline constexpr int table_digits = 10;
+
 struct TableRow
 {
   double ratio;         //!< rho/rho0 [-]

@@ -165,8 +165,8 @@ private:
                                       [&](const TableRow& row) { return value(row) == 0; });
     for (auto row = table.rows.rbegin(); row != table.rows.rend(); ++row)
       if (!all_zero || row == table.rows.rbegin() || row + 1 == table.rows.rend())
-        out_.line(real_field(row->ratio == 1 ? 0.0 : -std::log(row->ratio), 20) +
-                  real_field(value(*row), 20));
+        out_.line(real_field(rounded(row->ratio == 1 ? 0.0 : -std::log(row->ratio), table_digits), 20) +
+                  real_field(rounded(value(*row), table_digits), 20));
   }
 
   void particles()

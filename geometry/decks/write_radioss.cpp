@@ -185,7 +185,7 @@ private:
     starter_.line(title);
     starter_.comment("                 X                   Y");
     for (const TableRow& row : table.rows)
-      starter_.line(real20(row.ratio - 1) + real20(value(row)));
+      starter_.line(real20(rounded(row.ratio - 1, table_digits)) + real20(rounded(value(row), table_digits)));
   }
 
   void particles()
