@@ -129,11 +129,13 @@ DeckTable cut_table(const EquationOfState& eos, double range, double tension_cut
   table.range = range;
   table.has_energy = depends_on_energy(eos);
 
-  constexpr double never =
-      0.99; // a solver that cuts off at 0 uses no more of the tension side than its slope
-  const double lowest = tension_cutoff < 0 ? tension_ratio(cutter, 1.2 * tension_cutoff) : never;
-  table.rows = cutter.walk(1, lowest);
-  std::reverse(table.rows.begin(), table.rows.end());
+  if (tension_cutoff < 0) {
+    table.rows = cutter.walk(1, tension_ratio(cutter, 1.2 * tension_cutoff));
+    std::reverse(table.rows.begin(), table.rows.end());
+  } else {
+    constexpr double nearby = 0.99; // a solver that cuts off at 0 needs no more than a row to start from
+    table.rows = {cutter.row(nearby)};
+  }
   table.rows.push_back(cutter.row(1));
   const std::vector<TableRow> compressed = cutter.walk(1, ratio_at(eos, range));
   table.rows.insert(table.rows.end(), compressed.begin(), compressed.end());

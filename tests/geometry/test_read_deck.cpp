@@ -120,7 +120,7 @@ TEST_CASE("names that a solver would not take are changed into some that it does
     const DeckBird read = there_and_back(folder, bird, options);
     CHECK(read.size() == bird.size());
     REQUIRE(read.part_names.size() == 4);
-    CHECK(read.part_names[0] == (format == "abaqus" ? "P__left_wing" : "_*left wing"));
+    CHECK(read.part_names[0] == (format == "abaqus" ? "P___left_wing" : "_*left wing"));
     CHECK(read.part_names[2] == "Fl__gel");
     CHECK(read.part_names[3] != read.part_names[0]);
   }
@@ -266,7 +266,9 @@ TEST_CASE("a deck that is cut anywhere or damaged is an error or a smaller bird,
           text[random() % text.size()] = static_cast<char>(' ' + random() % 95);
       const auto damaged = folder.write("damaged.txt", text);
       try {
-        CHECK(read_deck(damaged).size() <= bird.size());
+        const std::size_t read =
+            read_deck(damaged).size(); // apart: CHECK would take the exception for a failure
+        CHECK(read <= bird.size());
       } catch (const InputError& error) {
         ++errors;
         CHECK(std::string(error.what()).find("deck file") != std::string::npos);
