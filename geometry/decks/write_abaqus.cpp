@@ -161,7 +161,7 @@ private:
   {
     const double end = deck_.end_time / u_.time;
     for (const std::string& text :
-         {std::string("*STEP"), std::string("*DYNAMIC, EXPLICIT"), ", " + rounded_real(end, 8),
+         {std::string("*STEP"), std::string("*DYNAMIC, EXPLICIT"), ", " + rounded_real(end, 10),
           "*OUTPUT, FIELD, TIME INTERVAL=" + rounded_real(deck_.frame_time / u_.time),
           std::string("*NODE OUTPUT"), std::string("U, V"), std::string("*ELEMENT OUTPUT"),
           std::string("S, DENSITY"),

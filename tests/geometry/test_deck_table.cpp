@@ -76,6 +76,19 @@ TEST_CASE("a table reaches into tension as far as the cut-off", "[decks][eos]")
   CHECK(cut_table(eos, 100e6, 0, TableAxis::log_volume).rows[1].ratio == 1);
 }
 
+TEST_CASE("a short table has the rows that it may have, and says its error", "[decks][eos]")
+{
+  for (const double z : {0.0, 0.4, 0.8}) {
+    const EquationOfState eos = make_porous_law("shock", z, porous_density(z));
+    const double range = 2 * hugoniot(eos, 150).pressure;
+    const DeckTable table = short_table(eos, range, 0, TableAxis::log_volume, 10);
+    CHECK(table.rows.size() == 10);
+    CHECK(largest_error(table, eos) <= table.error * 1.02);
+    CHECK(table.error > cut_table(eos, range, 0, TableAxis::log_volume).error);
+    CHECK(table.error < 0.25);
+  }
+}
+
 TEST_CASE("a table of a law with energy holds both of its parts", "[decks][eos]")
 {
   const EquationOfState eos = MieGrueneisen(1000, test::water);
