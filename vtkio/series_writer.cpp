@@ -4,18 +4,15 @@
 
 #include "core/error.h"
 #include "vtkio/atomic_file.h"
-#include "vtkio/vtk_errors.h"
+#include "vtkio/write_vtk_xml.h"
 
-#include <vtkErrorCode.h>
+#include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
-#include <vtkZLibDataCompressor.h>
 
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 
 namespace birdstrike {
 
@@ -47,27 +44,7 @@ void remove_old_series(const fs::path& folder)
 
 std::string write_vtu(vtkUnstructuredGrid& grid, const fs::path& file)
 {
-  auto errors = vtkSmartPointer<VtkErrors>::New();
-  auto compressor = vtkSmartPointer<vtkZLibDataCompressor>::New();
-  compressor->SetCompressionLevel(1); // as small as level 6, twice as fast
-  auto writer = vtkSmartPointer<vtkXMLUnstructuredGridWriter>::New();
-  errors->watch(*writer);
-  writer->SetFileName(file.string().c_str());
-  writer->SetInputData(&grid);
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
-  writer->SetCompressor(compressor);
-  errno = 0;
-  const bool written = writer->Write() == 1;
-  const int system_error = errno;
-  if (written && writer->GetErrorCode() == vtkErrorCode::NoError && !errors->any())
-    return {};
-  // VTK's own words for a full disk or a missing folder hide the system's reason.
-  if (system_error != 0)
-    return std::strerror(system_error);
-  if (writer->GetErrorCode() != vtkErrorCode::NoError)
-    return vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode());
-  return errors->first();
+  return write_vtk_xml(*vtkSmartPointer<vtkXMLUnstructuredGridWriter>::New(), grid, file);
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include "core/format_text.h"
 #include "core/theory/impact_pressures.h"
 #include "geometry/decks/deck_file.h"
+#include "geometry/decks/deck_number.h"
 #include "geometry/decks/deck_table.h"
 
 #include <algorithm>
@@ -137,9 +138,8 @@ void add_header(DeckContents& deck, double speed, const Vector3& velocity, doubl
                     velocity[2] / u.velocity()));
   else
     add(format_text("velocities differ, up to %.6g", largest_speed / u.velocity()));
-  add(format_text(
-      "laws are right up to %.6g %s, twice the Hugoniot pressure of the stiffest part at %.6g m/s",
-      2 * deck.hugoniot / u.pressure(), u.pressure_name.c_str(), speed));
+  add(format_text("tables reach to %.6g %s, twice the Hugoniot pressure of the stiffest part at %.6g m/s",
+                  2 * deck.hugoniot / u.pressure(), u.pressure_name.c_str(), speed));
   add("  part      particles        mass      density  name");
   for (const DeckPart& part : deck.parts)
     add(format_text("  %-6d %12zu %11.6g %12.6g  ", part.id, part.members.size(), part.mass / u.mass,
@@ -168,11 +168,11 @@ std::vector<std::string> wrapped(const std::string& text, std::size_t width)
 
 std::string table_remark(const DeckTable& table, const DeckPart& part, const DeckUnits& units, double error)
 {
-  return format_text("table of %zu points; its pressure is within %.2f %% of the law (below %.4g: of that "
-                     "pressure) from 0 to "
-                     "%.6g %s; above, one straight line to twice as much",
-                     table.rows.size(), 100 * error, 0.01 * part.range / units.pressure(),
-                     part.range / units.pressure(), units.pressure_name.c_str());
+  const double range = part.range / units.pressure();
+  return format_text(
+      "table of %zu points; off from the law by at most %.2f %% of the pressure from %.6g to %.6g %s, "
+      "and of %.6g below; above, one straight line to twice the range",
+      table.rows.size(), 100 * error, 0.01 * range, range, units.pressure_name.c_str(), 0.01 * range);
 }
 
 CubicTerms cubic_terms(const DeckPart& part)
@@ -220,9 +220,10 @@ DeckContents deck_contents(const Particles& bird, const DeckOptions& options)
       (largest_speed > slow && deck.one_velocity
            ? (upper - lower).cwiseAbs().dot(velocity.cwiseAbs()) / (largest_speed * largest_speed)
            : length / speed);
-  deck.end_time = options.end_time > 0 ? options.end_time : 3 * std::max(passing, 0.1 * length / speed);
-  constexpr int frames = 60;
-  deck.frame_time = deck.end_time / frames;
+  constexpr int digits = 3, frames = 60;
+  deck.end_time =
+      options.end_time > 0 ? options.end_time : rounded(3 * std::max(passing, 0.1 * length / speed), digits);
+  deck.frame_time = rounded(deck.end_time / frames, digits);
   deck.smoothing =
       bird.spacing > 0 && bird.initial_smoothing > 0 ? bird.initial_smoothing / bird.spacing : 1.2;
   deck.cutoff = std::min(options.tension_cutoff, smallest_cutoff);

@@ -81,10 +81,7 @@ std::string real_field(double value, std::size_t width)
   return std::string(width - text.size(), ' ') + text;
 }
 
-std::string rounded_real(double value, int digits)
-{
-  return free_real(std::stod(format_text("%.*g", digits, value)));
-}
+double rounded(double value, int digits) { return std::stod(format_text("%.*g", digits, value)); }
 
 std::string integer_field(std::int64_t value, std::size_t width)
 {

@@ -21,7 +21,8 @@ std::string integer_field(std::int64_t value, std::size_t width);
 //! The shortest text that reads back to the same bits, with a decimal point: for decks whose fields have no width.
 std::string free_real(double value);
 
-//! The same rounded to so many significant digits, for numbers of which nobody wants more.
-std::string rounded_real(double value, int digits = 4);
+//! To so many significant digits, for numbers of which nobody wants more.
+double rounded(double value, int digits);
+inline std::string rounded_real(double value, int digits = 4) { return free_real(rounded(value, digits)); }
 
 } // namespace birdstrike

@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "core/format_text.h"
+#include "geometry/decks/deck_number.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,7 @@ namespace birdstrike {
 
 namespace {
 
-constexpr double aimed_error = 0.004, floor_share = 0.01;
+constexpr double usual_error = 0.004, floor_share = 0.01;
 constexpr double largest_ratio = 10;
 constexpr std::size_t most_rows = 2000;
 
@@ -28,8 +29,8 @@ double ratio_along(TableAxis axis, double place)
 class Cutter
 {
 public:
-  Cutter(const EquationOfState& eos, double range, TableAxis axis)
-      : eos_(eos), rho0_(reference_density(eos)), range_(range), axis_(axis)
+  Cutter(const EquationOfState& eos, double range, TableAxis axis, double aimed_error)
+      : eos_(eos), rho0_(reference_density(eos)), range_(range), aimed_error_(aimed_error), axis_(axis)
   {
   }
 
@@ -57,7 +58,7 @@ public:
           next = 0.5 * (good + bad);
           (close(from, next) ? good : bad) = next;
         }
-        next = good;
+        next = rounded(good, table_digits);
       }
       if (next == from || rows.size() >= most_rows)
         throw InputError(format_text(
@@ -79,7 +80,7 @@ private:
     for (int k = 1; k < samples; ++k) {
       const double share = static_cast<double>(k) / samples;
       const double p = pressure(ratio_along(axis_, a + share * (b - a)));
-      const double allowed = aimed_error * std::max(std::abs(p), floor_share * range_);
+      const double allowed = aimed_error_ * std::max(std::abs(p), floor_share * range_);
       if (std::abs(pa + share * (pb - pa) - p) > allowed)
         return false;
     }
@@ -87,7 +88,7 @@ private:
   }
 
   const EquationOfState& eos_;
-  double rho0_, range_;
+  double rho0_, range_, aimed_error_;
   TableAxis axis_;
 };
 
@@ -102,6 +103,31 @@ double tension_ratio(const Cutter& cutter, double pressure)
     (cutter.pressure(middle) < pressure ? low : high) = middle;
   }
   return low;
+}
+
+//! The rows for an error to aim at; the error itself is still to be measured.
+DeckTable cut(const EquationOfState& eos, double range, double tension_cutoff, TableAxis axis,
+              double aimed_error)
+{
+  const Cutter cutter(eos, range, axis, aimed_error);
+  DeckTable table;
+  table.axis = axis;
+  table.range = range;
+  table.has_energy = depends_on_energy(eos);
+
+  if (tension_cutoff < 0) {
+    table.rows = cutter.walk(1, tension_ratio(cutter, 1.2 * tension_cutoff));
+    std::reverse(table.rows.begin(), table.rows.end());
+  } else {
+    constexpr double nearby = 0.99; // a solver that cuts off at 0 needs no more than a row to start from
+    table.rows = {cutter.row(nearby)};
+  }
+  table.rows.push_back(cutter.row(1));
+  const std::vector<TableRow> compressed = cutter.walk(1, ratio_at(eos, range));
+  table.rows.insert(table.rows.end(), compressed.begin(), compressed.end());
+  if (evaluate(eos, largest_ratio * reference_density(eos)).pressure > 2 * range)
+    table.rows.push_back(cutter.row(ratio_at(eos, 2 * range)));
+  return table;
 }
 
 } // namespace
@@ -122,26 +148,38 @@ double ratio_at(const EquationOfState& eos, double pressure)
 
 DeckTable cut_table(const EquationOfState& eos, double range, double tension_cutoff, TableAxis axis)
 {
-  const Cutter cutter(eos, range, axis);
-  DeckTable table;
-  table.axis = axis;
-  table.range = range;
-  table.has_energy = depends_on_energy(eos);
-
-  constexpr double never =
-      0.99; // a solver that cuts off at 0 uses no more of the tension side than its slope
-  const double lowest = tension_cutoff < 0 ? tension_ratio(cutter, 1.2 * tension_cutoff) : never;
-  table.rows = cutter.walk(1, lowest);
-  std::reverse(table.rows.begin(), table.rows.end());
-  table.rows.push_back(cutter.row(1));
-  const std::vector<TableRow> compressed = cutter.walk(1, ratio_at(eos, range));
-  table.rows.insert(table.rows.end(), compressed.begin(), compressed.end());
-  if (evaluate(eos, largest_ratio * reference_density(eos)).pressure > 2 * range)
-    table.rows.push_back(cutter.row(ratio_at(eos, 2 * range)));
+  DeckTable table = cut(eos, range, tension_cutoff, axis, usual_error);
   table.error = measured_error(table, eos);
   require(table.error <= largest_table_error,
           format_text("its equation of state would be off by %.2g %% as a table; use a smoother law",
                       100 * table.error));
+  return table;
+}
+
+DeckTable short_table(const EquationOfState& eos, double range, double tension_cutoff, TableAxis axis,
+                      std::size_t rows)
+{
+  double low = usual_error, high = 100;
+  constexpr int halvings = 24;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = std::sqrt(low * high);
+    (cut(eos, range, tension_cutoff, axis, middle).rows.size() <= rows ? high : low) = middle;
+  }
+  DeckTable table = cut(eos, range, tension_cutoff, axis, high);
+  const Cutter cutter(eos, range, axis, high);
+  while (table.rows.size() < rows) { // more of them where the longest line is
+    std::size_t longest = 1;
+    const auto length = [&](std::size_t k) {
+      return along(axis, table.rows[k].ratio) - along(axis, table.rows[k - 1].ratio);
+    };
+    for (std::size_t k = 2; k < table.rows.size(); ++k)
+      if (length(k) > length(longest))
+        longest = k;
+    const double middle = 0.5 * (table.rows[longest].ratio + table.rows[longest - 1].ratio);
+    table.rows.insert(table.rows.begin() + static_cast<std::ptrdiff_t>(longest),
+                      cutter.row(rounded(middle, table_digits)));
+  }
+  table.error = measured_error(table, eos);
   return table;
 }
 

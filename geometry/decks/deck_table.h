@@ -15,6 +15,9 @@ enum class TableAxis
   log_volume   //!< ln(rho0/rho): LS-DYNA, Abaqus
 };
 
+//! Digits of a table's numbers in a deck.
+inline constexpr int table_digits = 10;
+
 struct TableRow
 {
   double ratio;         //!< rho/rho0 [-]
@@ -42,6 +45,10 @@ inline constexpr double largest_table_error = 0.005;
 //! \param tension_cutoff  lowest pressure of the material, <= 0 [Pa]
 //! \throw InputError if the law does not reach \p range below ten times its density, or would need over 2000 rows
 DeckTable cut_table(const EquationOfState& eos, double range, double tension_cutoff, TableAxis axis);
+
+//! The same with exactly \p rows >= 4 rows (unless the tension side alone needs as many), and the smallest error that they allow.
+DeckTable short_table(const EquationOfState& eos, double range, double tension_cutoff, TableAxis axis,
+                      std::size_t rows);
 
 //! Pressure of the table as a solver reads it [Pa]. \param energy  rho0 e [J/m3]
 double table_pressure(const DeckTable& table, double ratio, double energy);

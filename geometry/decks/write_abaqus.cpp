@@ -135,8 +135,9 @@ private:
     out_.comment("f1, f2, ln(rho0/rho) of p = f1 + rho0 f2 e");
     out_.line("*EOS, TYPE=TABULAR");
     for (const TableRow& row : table.rows)
-      out_.line(real(row.pressure / u_.pressure()) + ", " + real(row.energy_factor) + ", " +
-                real(row.ratio == 1 ? 0.0 : -std::log(row.ratio)));
+      out_.line(rounded_real(row.pressure / u_.pressure(), table_digits) + ", " +
+                rounded_real(row.energy_factor, table_digits) + ", " +
+                rounded_real(row.ratio == 1 ? 0.0 : -std::log(row.ratio), table_digits));
   }
 
   void velocity()
@@ -160,7 +161,7 @@ private:
   {
     const double end = deck_.end_time / u_.time;
     for (const std::string& text :
-         {std::string("*STEP"), std::string("*DYNAMIC, EXPLICIT"), ", " + rounded_real(end, 8),
+         {std::string("*STEP"), std::string("*DYNAMIC, EXPLICIT"), ", " + rounded_real(end, 10),
           "*OUTPUT, FIELD, TIME INTERVAL=" + rounded_real(deck_.frame_time / u_.time),
           std::string("*NODE OUTPUT"), std::string("U, V"), std::string("*ELEMENT OUTPUT"),
           std::string("S, DENSITY"),

@@ -61,18 +61,18 @@ private:
     const double end = deck_.end_time / u_.time, frame = deck_.frame_time / u_.time;
     out_.line("*CONTROL_TERMINATION");
     out_.comment("  endtim    endcyc     dtmin    endeng    endmas");
-    out_.line(real10(end) + integer10(0) + real10(0) + real10(0) + real10(0));
+    out_.line(real10(rounded(end, 10)) + integer10(0) + real10(0) + real10(0) + real10(0));
     out_.line("*CONTROL_SPH");
     out_.comment("    ncbs     boxid        dt      idim   nmneigh      form     start      maxv");
     out_.line(integer10(1) + integer10(0) + real10(1e20) + integer10(3) + integer10(150) + integer10(0) +
               real10(0) + real10(1e15));
     out_.line("*DATABASE_BINARY_D3PLOT");
     out_.comment("      dt");
-    out_.line(real10(frame));
+    out_.line(real10(rounded(frame, 4)));
     for (const char* file : {"*DATABASE_GLSTAT", "*DATABASE_MATSUM"}) {
       out_.line(file);
       out_.comment("      dt");
-      out_.line(real10(0.1 * frame));
+      out_.line(real10(rounded(0.1 * frame, 4)));
     }
   }
 
@@ -143,7 +143,7 @@ private:
     double error = 0;
     const int points = resampled(table, part.part->eos, error);
     out_.comments(wrapped(table_remark(table, part, u_, std::max(error, table.error))));
-    out_.comment("Curves lcc, lct over ln(V); they need LS-DYNA R11 or later.");
+    out_.comment("Curves lcc and lct over ln(V), which recent versions take in place of ten points.");
     const std::int64_t pressure = 2 * std::int64_t(part.id) - 1, heating = pressure + 1; // numbers of curves
     out_.line("*EOS_TABULATED");
     out_.comment("   eosid      gama        e0        v0       lcc       lct");
@@ -151,6 +151,34 @@ private:
               integer10(pressure) + integer10(heating));
     curve(table, pressure, points, [&](const TableRow& row) { return row.pressure / u_.pressure(); });
     curve(table, heating, points, [](const TableRow& row) { return row.energy_factor; });
+    ten_points(part);
+  }
+
+  //! What versions without curves would take, as comments.
+  void ten_points(const DeckPart& part)
+  {
+    constexpr std::size_t most = 10, in_line = 5;
+    const DeckTable table =
+        short_table(part.part->eos, part.range, deck_.options.tension_cutoff, TableAxis::log_volume, most);
+    out_.comments(wrapped(
+        format_text("For older versions: strip the $ of the next seven lines and leave out the keywords "
+                    "above from *EOS_TABULATED on. Ten points are off by up to %.2g %% of the law.",
+                    100 * table.error)));
+    out_.line("$*EOS_TABULATED");
+    out_.line("$" + integer10(part.id) + real10(table.has_energy ? 1 : 0) + real10(0) + real10(1));
+    const auto cards = [&](auto value) {
+      std::string text = "$";
+      for (std::size_t k = 0; k < table.rows.size(); ++k) {
+        text += real16(rounded(value(table.rows[k]), table_digits));
+        if ((k + 1) % in_line == 0) {
+          out_.line(text);
+          text = "$";
+        }
+      }
+    };
+    cards([](const TableRow& row) { return row.ratio == 1 ? 0.0 : -std::log(row.ratio); });
+    cards([&](const TableRow& row) { return row.pressure / u_.pressure(); });
+    cards([](const TableRow& row) { return row.energy_factor; });
   }
 
   template <class Value>
@@ -165,8 +193,8 @@ private:
                                       [&](const TableRow& row) { return value(row) == 0; });
     for (auto row = table.rows.rbegin(); row != table.rows.rend(); ++row)
       if (!all_zero || row == table.rows.rbegin() || row + 1 == table.rows.rend())
-        out_.line(real_field(row->ratio == 1 ? 0.0 : -std::log(row->ratio), 20) +
-                  real_field(value(*row), 20));
+        out_.line(real_field(rounded(row->ratio == 1 ? 0.0 : -std::log(row->ratio), table_digits), 20) +
+                  real_field(rounded(value(*row), table_digits), 20));
   }
 
   void particles()

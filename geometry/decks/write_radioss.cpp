@@ -185,7 +185,7 @@ private:
     starter_.line(title);
     starter_.comment("                 X                   Y");
     for (const TableRow& row : table.rows)
-      starter_.line(real20(row.ratio - 1) + real20(value(row)));
+      starter_.line(real20(rounded(row.ratio - 1, table_digits)) + real20(rounded(value(row), table_digits)));
   }
 
   void particles()
@@ -285,10 +285,10 @@ private:
     engine_.line("#RADIOSS ENGINE");
     engine_.comments(wrapped("Times in the units of " + name_ + "_0000.rad, " + u_.name));
     for (const std::string& text :
-         {"/RUN/" + name_ + "/1", rounded_real(end, 8), std::string("/VERS/2022"), std::string("/PRINT/-100"),
-          std::string("/TFILE"), rounded_real(0.1 * frame), std::string("/ANIM/DT"),
-          "0.0 " + rounded_real(frame), std::string("/ANIM/VECT/VEL"), std::string("/ANIM/ELEM/P"),
-          std::string("/ANIM/ELEM/DENS"), std::string("/ANIM/ELEM/ENER")})
+         {"/RUN/" + name_ + "/1", rounded_real(end, 10), std::string("/VERS/2022"),
+          std::string("/PRINT/-100"), std::string("/TFILE"), rounded_real(0.1 * frame),
+          std::string("/ANIM/DT"), "0.0 " + rounded_real(frame), std::string("/ANIM/VECT/VEL"),
+          std::string("/ANIM/ELEM/P"), std::string("/ANIM/ELEM/DENS"), std::string("/ANIM/ELEM/ENER")})
       engine_.line(text);
   }
 
