@@ -7,7 +7,7 @@
 #include "cases/share_folder.h"
 #include "core/error.h"
 #include "geometry/decks/write_deck.h"
-#include "geometry/write_surface.h"
+#include "geometry/write_glb.h" // TEMP
 #include "vtkio/atomic_file.h"
 #include "vtkio/bird_picture.h"
 #include "vtkio/particles_to_vtk.h"
@@ -22,6 +22,8 @@
 namespace birdstrike {
 namespace {
 
+std::vector<std::string> surface_formats() { return {".glb"}; }
+void write_surface(const SurfaceMesh& m, const std::filesystem::path& f) { write_glb(m, f); }
 enum class Kind
 {
   particles,
@@ -51,9 +53,10 @@ Kind kind_of(const std::filesystem::path& file)
     return Kind::surface;
   if (has(deck_endings(), ending))
     return Kind::deck;
-  throw InputError(fmt::format("{}: nothing is written with the ending \"{}\"; particles are {}, surfaces {}, decks {}",
-                               file.string(), ending, fmt::join(particle_formats(), " "),
-                               fmt::join(surface_formats(), " "), fmt::join(deck_endings(), " ")));
+  throw InputError(
+      fmt::format("{}: nothing is written with the ending \"{}\"; particles are {}, surfaces {}, decks {}",
+                  file.string(), ending, fmt::join(particle_formats(), " "),
+                  fmt::join(surface_formats(), " "), fmt::join(deck_endings(), " ")));
 }
 
 void require_folder(const std::filesystem::path& file)
@@ -61,7 +64,8 @@ void require_folder(const std::filesystem::path& file)
   std::error_code ignored;
   const std::filesystem::path folder = file.parent_path();
   if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))
-    throw OutputError(fmt::format("{}: there is no folder {}; make it first", file.string(), folder.string()));
+    throw OutputError(
+        fmt::format("{}: there is no folder {}; make it first", file.string(), folder.string()));
 }
 
 DeckFormat format_of(const std::filesystem::path& file)
@@ -72,8 +76,8 @@ DeckFormat format_of(const std::filesystem::path& file)
   throw InputError(file.string() + ": no deck has this ending");
 }
 
-void write_one_deck(const BuiltBird& bird, const Case& parsed, const std::string& name, const std::string& units,
-                    const std::filesystem::path& file, Log& log)
+void write_one_deck(const BuiltBird& bird, const Case& parsed, const std::string& name,
+                    const std::string& units, const std::filesystem::path& file, Log& log)
 {
   DeckOptions options;
   options.format = format_of(file);
@@ -95,11 +99,13 @@ void add_output_options(CLI::App& command, BirdOutput& output)
                                  fmt::join(deck_endings(), " ")));
   command.add_option("--export", output.decks, "Also a deck beside the first file: dyna, radioss or abaqus")
       ->allow_extra_args(false);
-  command.add_option("--units", output.units,
-                     fmt::format("Units of decks: {}; t-mm-s without it", fmt::join(deck_unit_names(), ", ")));
+  command.add_option(
+      "--units", output.units,
+      fmt::format("Units of decks: {}; t-mm-s without it", fmt::join(deck_unit_names(), ", ")));
   command.add_flag("--points", output.points_only, "Write .vtu and .vtp without cells");
   command.add_option("--snapshot", output.snapshot, "Picture (.png) by part from three sides, and cut open");
-  command.add_option("--report", output.report, "Volumes, masses, centres and inertia of mesh and particles (.json)");
+  command.add_option("--report", output.report,
+                     "Volumes, masses, centres and inertia of mesh and particles (.json)");
 }
 
 void check_outputs(const BirdOutput& output)
@@ -146,7 +152,8 @@ void write_bird(const Case& parsed, const std::optional<BirdMesh>& mesh, const B
     needs_particles = needs_particles || kind_of(file) != Kind::surface;
     if (kind_of(file) != Kind::surface)
       continue;
-    require(mesh.has_value(), fmt::format("{}: a bird.shape has no surface; write particles or a deck", file.string()));
+    require(mesh.has_value(),
+            fmt::format("{}: a bird.shape has no surface; write particles or a deck", file.string()));
     write_surface(mesh->objects, file);
     log.info(fmt::format("surfaces in {}", file.string()));
   }
@@ -166,8 +173,8 @@ void write_bird(const Case& parsed, const std::optional<BirdMesh>& mesh, const B
   }
   if (!output.snapshot.empty()) {
     const std::string title =
-        fmt::format("{}, {:.3g} kg, {} particles", parsed.title.empty() ? std::filesystem::path(name).filename().string()
-                                                                        : parsed.title,
+        fmt::format("{}, {:.3g} kg, {} particles",
+                    parsed.title.empty() ? std::filesystem::path(name).filename().string() : parsed.title,
                     total_mass(bird.particles), bird.particles.size());
     write_bird_picture(*particles_to_vtk(bird.particles, 0), title, output.snapshot);
     log.info(fmt::format("picture in {}", output.snapshot.string()));

@@ -14,9 +14,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double fair_deviation = 0.02;  // of the density of relaxed particles
-constexpr double fair_volume = 0.05;     // error of a part's volume on a lattice
-constexpr double fair_factor = 0.05;     // by which densities may be scaled without a word
+constexpr double fair_deviation = 0.02; // of the density of relaxed particles
+constexpr double fair_volume = 0.05;    // error of a part's volume on a lattice
+constexpr double fair_factor = 0.05;    // by which densities may be scaled without a word
 
 PartReport sum_of(const BuiltBird& bird)
 {
@@ -35,8 +35,8 @@ PartReport sum_of(const BuiltBird& bird)
 
 std::string row(const PartReport& part, const std::string& porosity)
 {
-  return fmt::format("{:<10} {:>9} {:>13.1f} {:>16.1f} {:>8.2f} {:>10.4f} {:>16.1f} {:>9}", part.name, part.particles,
-                     1e6 * part.mesh_volume, 1e6 * part.particle_volume,
+  return fmt::format("{:<10} {:>9} {:>13.1f} {:>16.1f} {:>8.2f} {:>10.4f} {:>16.1f} {:>9}", part.name,
+                     part.particles, 1e6 * part.mesh_volume, 1e6 * part.particle_volume,
                      100 * (part.particle_volume / part.mesh_volume - 1), part.mass, part.density, porosity);
 }
 
@@ -46,9 +46,10 @@ void say_meetings(const BuiltBird& bird, Log& log)
     log.info(fmt::format("{0} and {1} overlap by {2:.1f} cm3, {3:.1f} % of {0}, which has it", one.a, one.b,
                          1e6 * one.volume, 100 * one.share));
   for (const Meeting& one : bird.gaps)
-    log.warn(fmt::format("a gap of {:.1f} cm3, narrower than a particle or two, lies between {} and {}; let them touch "
-                         "or overlap in the CAD file",
-                         1e6 * one.volume, one.a, one.b));
+    log.warn(fmt::format(
+        "a gap of {:.1f} cm3, narrower than a particle or two, lies between {} and {}; let them touch "
+        "or overlap in the CAD file",
+        1e6 * one.volume, one.a, one.b));
 }
 
 void say_weight(const BuiltBird& bird, const Case& parsed, Log& log)
@@ -56,17 +57,20 @@ void say_weight(const BuiltBird& bird, const Case& parsed, Log& log)
   const BirdCase& wish = parsed.bird;
   const double off = 100 * (bird.density_factor * bird.mass_factor - 1);
   if (wish.exact == "density") {
-    log.info(fmt::format("at the densities of its materials the bird weighs {:.4f} kg", total_mass(bird.particles)));
+    log.info(fmt::format("at the densities of its materials the bird weighs {:.4f} kg",
+                         total_mass(bird.particles)));
     return;
   }
   if (wish.exact == "particle-mass")
-    log.info(fmt::format("mass factor {:.4f}: every particle is {:.1f} % {} than its volume of its material, so that the "
-                         "bird weighs {} kg; the laws keep their densities",
-                         bird.mass_factor, std::abs(off), off < 0 ? "lighter" : "heavier", wish.mass));
+    log.info(fmt::format(
+        "mass factor {:.4f}: every particle is {:.1f} % {} than its volume of its material, so that the "
+        "bird weighs {} kg; the laws keep their densities",
+        bird.mass_factor, std::abs(off), off < 0 ? "lighter" : "heavier", wish.mass));
   else
-    log.info(fmt::format("density factor {:.4f}: all parts are {:.1f} % {} than their materials say, so that the bird "
-                         "weighs {} kg",
-                         bird.density_factor, std::abs(off), off < 0 ? "lighter" : "denser", wish.mass));
+    log.info(fmt::format(
+        "density factor {:.4f}: all parts are {:.1f} % {} than their materials say, so that the bird "
+        "weighs {} kg",
+        bird.density_factor, std::abs(off), off < 0 ? "lighter" : "denser", wish.mass));
   if (std::abs(off) <= 100 * fair_factor)
     return;
   if (!wish.shape.empty())
@@ -117,8 +121,9 @@ Json meetings_json(const std::vector<Meeting>& meetings)
 
 void report_bird(const BuiltBird& bird, const Case& parsed, Log& log)
 {
-  log.info(fmt::format("{:<10} {:>9} {:>13} {:>16} {:>8} {:>10} {:>16} {:>9}", "part", "particles", "body [cm3]",
-                       "particles [cm3]", "off [%]", "mass [kg]", "density [kg/m3]", "porosity"));
+  log.info(fmt::format("{:<10} {:>9} {:>13} {:>16} {:>8} {:>10} {:>16} {:>9}", "part", "particles",
+                       "body [cm3]", "particles [cm3]", "off [%]", "mass [kg]", "density [kg/m3]",
+                       "porosity"));
   for (const PartReport& part : bird.parts)
     log.info(row(part, fmt::format("{:.2f}", part.porosity)));
   const PartReport all = sum_of(bird);
@@ -126,25 +131,28 @@ void report_bird(const BuiltBird& bird, const Case& parsed, Log& log)
   if (all.body.amount > 0) {
     const Vector3 apart = all.points.centre() - all.body.centre();
     const Matrix3 mesh = all.body.inertia();
-    log.info(fmt::format("centre of mass of the particles ({:.4f}, {:.4f}, {:.4f}) m, {:.2f} mm from the mesh's; inertia "
-                         "off by {:.2f} %",
-                         all.points.centre().x(), all.points.centre().y(), all.points.centre().z(),
-                         1e3 * apart.norm(), 100 * (all.points.inertia() - mesh).norm() / mesh.norm()));
+    log.info(fmt::format(
+        "centre of mass of the particles ({:.4f}, {:.4f}, {:.4f}) m, {:.2f} mm from the mesh's; inertia "
+        "off by {:.2f} %",
+        all.points.centre().x(), all.points.centre().y(), all.points.centre().z(), 1e3 * apart.norm(),
+        100 * (all.points.inertia() - mesh).norm() / mesh.norm()));
   }
   say_meetings(bird, log);
   if (is_column(parsed))
     return;
   say_weight(bird, parsed, log);
   if (bird.density_deviation > 0) {
-    const std::string text = fmt::format("relaxed: density uneven by {:.2f} % (root mean square), {:.1f} % at worst",
-                                         100 * bird.density_deviation, 100 * bird.density_worst);
-    bird.density_deviation > fair_deviation ? log.warn(text + "; refine bird.spacing, or use bird.lattice = \"fcc\"")
-                                            : log.info(text);
+    const std::string text =
+        fmt::format("relaxed: density uneven by {:.2f} % (root mean square), {:.1f} % at worst",
+                    100 * bird.density_deviation, 100 * bird.density_worst);
+    bird.density_deviation > fair_deviation
+        ? log.warn(text + "; refine bird.spacing, or use bird.lattice = \"fcc\"")
+        : log.info(text);
   } else {
     for (const PartReport& part : bird.parts)
       if (std::abs(part.particle_volume / part.mesh_volume - 1) > fair_volume)
-        log.warn(fmt::format("the cells miss the volume of part {} by {:.1f} %; refine bird.spacing{}", part.name,
-                             100 * (part.particle_volume / part.mesh_volume - 1),
+        log.warn(fmt::format("the cells miss the volume of part {} by {:.1f} %; refine bird.spacing{}",
+                             part.name, 100 * (part.particle_volume / part.mesh_volume - 1),
                              parsed.bird.shape.empty() ? ", or set bird.relax = true" : ""));
   }
 }
@@ -162,7 +170,8 @@ std::string bird_json(const BuiltBird& bird)
   json["overlaps"] = meetings_json(bird.overlaps);
   json["gaps"] = meetings_json(bird.gaps);
   if (bird.density_deviation > 0)
-    json["relaxed"] = {{"density_deviation", bird.density_deviation}, {"largest_deviation", bird.density_worst}};
+    json["relaxed"] = {{"density_deviation", bird.density_deviation},
+                       {"largest_deviation", bird.density_worst}};
   return json.dump(2);
 }
 

@@ -36,8 +36,8 @@ void match_parts(const std::vector<PartCase>& parts, const BirdMesh& mesh, const
   }
   for (const PartCase& part : parts)
     if (std::find(in_mesh.begin(), in_mesh.end(), part.name) == in_mesh.end())
-      throw InputError(fmt::format("{}: bird.parts.{}: the mesh {} has no such part; it has {}", place, part.name,
-                                   mesh.name, fmt::join(in_mesh, ", ")));
+      throw InputError(fmt::format("{}: bird.parts.{}: the mesh {} has no such part; it has {}", place,
+                                   part.name, mesh.name, fmt::join(in_mesh, ", ")));
 }
 
 const PartCase& part_case(const std::vector<PartCase>& parts, const std::string& name)
@@ -118,7 +118,8 @@ BuiltBird finish_bird(const Case& parsed, const std::vector<PartCase>& part_case
   std::vector<EquationOfState> laws;
   for (const FilledPart& part : fill.parts) {
     laws.push_back(natural_law(parsed, part_case(part_cases, part.name)));
-    natural_mass += reference_density(laws.back()) * static_cast<double>(part.particles) * part.particle_volume;
+    natural_mass +=
+        reference_density(laws.back()) * static_cast<double>(part.particles) * part.particle_volume;
   }
   BuiltBird bird;
   const double factor = weighed ? wish.mass / natural_mass : 1;
@@ -184,7 +185,8 @@ BuiltBird build_bird(const Case& parsed, const BirdMesh& mesh, Log& log)
 {
   const BirdCase& wish = parsed.bird;
   const std::string file = parsed.file.empty() ? mesh.name : parsed.file.string();
-  const std::vector<PartCase> parts = wish.species.empty() && !parsed.file.empty() ? wish.parts : usual_parts(mesh, wish.parts);
+  const std::vector<PartCase> parts =
+      wish.species.empty() && !parsed.file.empty() ? wish.parts : usual_parts(mesh, wish.parts);
   match_parts(parts, mesh, file);
   SurfaceMesh turned = mesh.objects;
   rotate(turned, {.yaw = wish.yaw, .pitch = wish.pitch, .roll = wish.roll});
@@ -197,7 +199,8 @@ BuiltBird build_bird(const Case& parsed, const BirdMesh& mesh, Log& log)
                         .relax = wish.relax,
                         .smoothing = wish.smoothing});
     } catch (const InputError& error) {
-      throw InputError(fmt::format("{}: {}{}", file, parsed.file.empty() ? "" : "bird.spacing: ", error.what()));
+      throw InputError(
+          fmt::format("{}: {}{}", file, parsed.file.empty() ? "" : "bird.spacing: ", error.what()));
     }
   }();
   return finish_bird(parsed, parts, fill, file, log);

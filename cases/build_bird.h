@@ -25,8 +25,8 @@ struct PartReport
   double mass = 0;            //!< of its particles [kg]
   double density = 0;         //!< of its material as it flies [kg/m3]
   double porosity = 0;        //!< [-]
-  Moments body;               //!< masses of the mesh at that density; zero for a shape
-  Moments points;             //!< of the particles, each a point mass
+  Moments body = {};          //!< masses of the mesh at that density; zero for a shape
+  Moments points = {};        //!< of the particles, each a point mass
 };
 
 struct BuiltBird
@@ -35,8 +35,9 @@ struct BuiltBird
   std::vector<PartReport> parts;
   Flight flight;
   double density_factor = 1; //!< density of every part over the natural density of its material [-]
-  double mass_factor = 1;    //!< mass of every particle over density times volume (bird.exact = "particle-mass") [-]
-  std::vector<Meeting> overlaps, gaps; //!< between objects of different parts
+  double mass_factor =
+      1; //!< mass of every particle over density times volume (bird.exact = "particle-mass") [-]
+  std::vector<Meeting> overlaps, gaps;             //!< between objects of different parts
   double density_deviation = 0, density_worst = 0; //!< of relaxed particles: root mean square, largest [-]
 };
 

@@ -177,7 +177,8 @@ void require_keys(const Case& parsed, const std::set<std::string>& given, const 
                   std::string_view within)
 {
   for (const Key& key : case_keys()) {
-    if (!key.required || !key.path.starts_with(within) || (key.only && !key.only->holds(parsed)) || (key.unless && key.unless->holds(parsed)))
+    if (!key.required || !key.path.starts_with(within) || (key.only && !key.only->holds(parsed)) ||
+        (key.unless && key.unless->holds(parsed)))
       continue;
     std::vector<std::string> paths{std::string(key.path)};
     if (const std::size_t star = key.path.find('*'); star != std::string_view::npos) {
@@ -216,8 +217,9 @@ void check_part_laws(const Case& parsed, const std::map<std::string, std::string
     const std::string path = "bird.parts." + part.name;
     const bool by_density = places.contains(path + ".density");
     if (by_density && places.contains(path + ".porosity") && part.porosity != 0)
-      throw InputError(fmt::format("{}: {}.density and .porosity are both given: one says the other; leave one out",
-                                   places.at(path + ".density"), path));
+      throw InputError(
+          fmt::format("{}: {}.density and .porosity are both given: one says the other; leave one out",
+                      places.at(path + ".density"), path));
     if (std::any_of(parsed.laws.begin(), parsed.laws.end(),
                     [&](const LawCase& law) { return law.name == part.eos; }))
     {
@@ -236,9 +238,10 @@ void check_part_laws(const Case& parsed, const std::map<std::string, std::string
       const double densest = porous_density(porosity.range.low.value_or(0)),
                    lightest = porous_density(porosity.range.high.value_or(1));
       if (part.density < lightest || part.density > densest)
-        throw InputError(fmt::format("{}: {}.density = {:g} kg/m3: the law \"{}\" is one of water with air, from {:.1f} to "
-                                     "{:.0f} kg/m3; another density needs an own law [eos.NAME]",
-                                     places.at(path + ".density"), path, part.density, part.eos, lightest, densest));
+        throw InputError(fmt::format(
+            "{}: {}.density = {:g} kg/m3: the law \"{}\" is one of water with air, from {:.1f} to "
+            "{:.0f} kg/m3; another density needs an own law [eos.NAME]",
+            places.at(path + ".density"), path, part.density, part.eos, lightest, densest));
     } else if (!places.contains(path + ".porosity")) {
       throw InputError(fmt::format("{}: {}.porosity is missing: {} is needed ({})", file, path,
                                    kind_of(porosity), porosity.text));
@@ -287,8 +290,8 @@ void check_bird(Case& parsed, const std::set<std::string>& given, const std::str
     for (const auto& [other, besides] : sources)
       if (value < besides && !value->empty() && !besides->empty())
         throw InputError(
-            fmt::format("{}: both bird.{} = {} and bird.{} = {} are given: exactly one of them is needed", file,
-                        key, toml_string(*value), other, toml_string(*besides)));
+            fmt::format("{}: both bird.{} = {} and bird.{} = {} are given: exactly one of them is needed",
+                        file, key, toml_string(*value), other, toml_string(*besides)));
   if (!bird.species.empty() && !given.contains("bird.mass"))
     bird.mass = species_mass(bird.species);
   if (bird.shape == "sphere" && !given.contains("bird.length_over_diameter"))
@@ -404,8 +407,9 @@ Case bird_alone(const std::vector<Entry>& entries, const std::string& name)
   Case parsed;
   for (const Entry& entry : entries)
     if (entry.path.front() != "bird" && entry.path.front() != "eos")
-      throw InputError(fmt::format("{}: {} = {}: a bird without a case file has only the keys bird.* and eos.*",
-                                   entry.place, join(entry.path), entry.found));
+      throw InputError(
+          fmt::format("{}: {} = {}: a bird without a case file has only the keys bird.* and eos.*",
+                      entry.place, join(entry.path), entry.found));
   auto [given, places] = assign(entries, parsed);
   BirdCase& bird = parsed.bird;
   bird.velocity = given.contains("bird.velocity") ? bird.velocity : 0;

@@ -21,9 +21,10 @@ namespace birdstrike {
 struct PartCase
 {
   std::string name;
-  double porosity = 0;              //!< volume share of air [-]
-  double density = NAN;             //!< of the material, in place of the porosity or the law's own; NaN: theirs [kg/m3]
-  std::vector<std::string> objects = {}; //!< patterns of the mesh's objects that belong to it, besides the known words
+  double porosity = 0;  //!< volume share of air [-]
+  double density = NAN; //!< of the material, in place of the porosity or the law's own; NaN: theirs [kg/m3]
+  std::vector<std::string> objects =
+      {}; //!< patterns of the mesh's objects that belong to it, besides the known words
   std::string eos = "impact-event"; //!< one of porous_law_names(), or the name of one of Case::laws
   int layers = 60;                  //!< of a column [-]
   double share = NAN;               //!< of a mixture's particles; NaN: this part is none of a mixture [-]
@@ -32,10 +33,10 @@ struct PartCase
 
 struct BirdCase
 {
-  std::string mesh;         //!< file or folder as written; this, shape or species is given, the others are empty
-  std::string shape;        //!< of bird_shape_names()
-  std::string species;      //!< of species_names()
-  std::string neck = "out"; //!< of neck_names(), of a species
+  std::string mesh;    //!< file or folder as written; this, shape or species is given, the others are empty
+  std::string shape;   //!< of bird_shape_names()
+  std::string species; //!< of species_names()
+  std::string neck = "out";                     //!< of neck_names(), of a species
   std::string wings = "spread";                 //!< of wing_names(), of a species
   bool legs = false;                            //!< of a species
   double mesh_unit = NAN;                       //!< length of one unit of the mesh file; NaN: find it [m]

@@ -32,7 +32,8 @@ constexpr Short shorts[] = {
     {"--mesh-unit", "bird.mesh_unit", "Length of one unit of the mesh, \"1 mm\"; found without it"},
     {"--nose", "bird.nose", "Axis of the mesh along which the bird looks, \"+x\"; found without it"},
     {"--up", "bird.up", "Axis of the mesh that points to its back, \"+z\"; found without it"},
-    {"--thickness", "bird.thickness", "Given to surfaces of the mesh that have none; two spacings without it"},
+    {"--thickness", "bird.thickness",
+     "Given to surfaces of the mesh that have none; two spacings without it"},
     {"--species", "bird.species", "Make a bird from biometry instead of reading a mesh"},
     {"--neck", "bird.neck", "Pose of a species' neck: out or drawn-in"},
     {"--wings", "bird.wings", "Pose of a species' wings: spread, half-folded or folded"},
@@ -114,11 +115,12 @@ void make_bird(const Options& options)
 
 std::string footer()
 {
-  return fmt::format(
-      "Without a case file the parts get the porosities of section 8.3 of the dissertation by their names (head and neck "
-      "0.3, torso 0.6, bones 0.2, lungs 0.8, wings 0.7, legs 0.2); without --mass the bird weighs what these give.\n"
-      "Names for --mass: {}.\nSpecies: {}.",
-      fmt::join(certification_names(), "; "), fmt::join(species_names(), ", "));
+  return fmt::format("Without a case file the parts get the porosities of section 8.3 of the dissertation by "
+                     "their names (head and neck "
+                     "0.3, torso 0.6, bones 0.2, lungs 0.8, wings 0.7, legs 0.2); without --mass the bird "
+                     "weighs what these give.\n"
+                     "Names for --mass: {}.\nSpecies: {}.",
+                     fmt::join(certification_names(), "; "), fmt::join(species_names(), ", "));
 }
 
 } // namespace
@@ -126,17 +128,19 @@ std::string footer()
 void add_bird_command(CLI::App& program)
 {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      program.add_subcommand("bird", "Turn a CAD mesh or a species into particles, surfaces or decks, without an impact");
-  command->add_option("CASE|MESH", options->inputs,
-                      "Case file, name of the catalogue, or meshes: one file, one a part, or a folder of them (glb, obj, "
-                      "stl, ply, 3mf, dae, off, step ...)");
+  CLI::App* command = program.add_subcommand(
+      "bird", "Turn a CAD mesh or a species into particles, surfaces or decks, without an impact");
+  command->add_option(
+      "CASE|MESH", options->inputs,
+      "Case file, name of the catalogue, or meshes: one file, one a part, or a folder of them (glb, obj, "
+      "stl, ply, 3mf, dae, off, step ...)");
   add_output_options(*command, options->output);
   for (std::size_t k = 0; k < std::size(shorts); ++k)
     command->add_option(shorts[k].option, options->values[k], shorts[k].text);
   for (std::size_t k = 0; k < std::size(flags); ++k)
     command->add_flag(flags[k].option, options->set[k], flags[k].text);
-  command->add_option("--set", options->overrides, "KEY=VALUE replaces a key of the case")->allow_extra_args(false);
+  command->add_option("--set", options->overrides, "KEY=VALUE replaces a key of the case")
+      ->allow_extra_args(false);
   command->add_flag("--quiet", options->quiet, "Say nothing on the screen but warnings and errors");
   command->footer(footer());
   command->callback([options] { make_bird(*options); });

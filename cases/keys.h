@@ -46,7 +46,8 @@ struct Key
   std::vector<std::string> (*choices)() = nullptr;
   const Condition* only = nullptr;   //!< elsewhere the key has no meaning and is refused
   const Condition* unless = nullptr; //!< a required key may be left out there
-  std::optional<double> (*by_name)(std::string_view text) = nullptr; //!< a value that a name stands for, besides numbers
+  std::optional<double> (*by_name)(std::string_view text) =
+      nullptr;         //!< a value that a name stands for, besides numbers
   bool or_law = false; //!< besides the choices, the name of any table [eos.NAME]; read_case checks that
 };
 

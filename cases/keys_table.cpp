@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table of keys itself: one row a key.
-#include "cases/key_ranges.h"
-#include "cases/keys.h"
 #include "cases/bird_form.h"
 #include "cases/certification.h"
+#include "cases/key_ranges.h"
+#include "cases/keys.h"
 #include "cases/shape_parts_case.h"
 #include "core/material/porous_bird.h"
 #include "geometry/fill.h"
@@ -48,16 +48,20 @@ std::vector<std::string> axis_names() { return {"+x", "-x", "+y", "-y", "+z", "-
 
 const Condition no_shape{"a bird without bird.shape", [](const Case& c) { return c.bird.shape.empty(); }};
 const Condition with_mesh{"a bird with bird.mesh", [](const Case& c) { return !c.bird.mesh.empty(); }};
-const Condition with_species{"a bird with bird.species", [](const Case& c) { return !c.bird.species.empty(); }};
-const Condition by_spacing{"a bird without bird.particles", [](const Case& c) { return c.bird.particles == 0; }};
+const Condition with_species{"a bird with bird.species",
+                             [](const Case& c) { return !c.bird.species.empty(); }};
+const Condition by_spacing{"a bird without bird.particles",
+                           [](const Case& c) { return c.bird.particles == 0; }};
 const Condition by_number{"a bird that is no column, without bird.spacing",
                           [](const Case& c) { return c.bird.particles != 0 && !is_column(c); }};
 const Condition weighed{"a bird that is no column and whose exact is not \"density\"",
                         [](const Case& c) { return !is_column(c) && c.bird.exact != "density"; }};
-const Condition other_than_mesh{"a bird.shape or bird.species",
-                                [](const Case& c) { return !c.bird.shape.empty() || !c.bird.species.empty(); }};
-const Condition other_than_shape{"a bird.mesh or bird.species",
-                                 [](const Case& c) { return !c.bird.mesh.empty() || !c.bird.species.empty(); }};
+const Condition other_than_mesh{"a bird.shape or bird.species", [](const Case& c) {
+                                  return !c.bird.shape.empty() || !c.bird.species.empty();
+                                }};
+const Condition other_than_shape{"a bird.mesh or bird.species", [](const Case& c) {
+                                   return !c.bird.mesh.empty() || !c.bird.species.empty();
+                                 }};
 const Condition with_body{"a bird.shape that is not a column",
                           [](const Case& c) { return !c.bird.shape.empty() && !is_column(c); }};
 const Condition with_mixture{"a bird.shape with a share for each part", is_mixture};

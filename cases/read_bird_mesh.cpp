@@ -22,8 +22,9 @@ constexpr double smallest_bird = 0.02, largest_bird = 10; // [m]
 
 bool is_mesh_file(const std::filesystem::path& file)
 {
-  static const std::vector<std::string> known{".obj", ".gltf", ".glb", ".ply",  ".stl", ".dae",  ".3mf", ".off",
-                                              ".x3d", ".3ds",  ".fbx", ".step", ".stp", ".iges", ".igs"};
+  static const std::vector<std::string> known{".obj", ".gltf", ".glb", ".ply",  ".stl",
+                                              ".dae", ".3mf",  ".off", ".x3d",  ".3ds",
+                                              ".fbx", ".step", ".stp", ".iges", ".igs"};
   std::string extension = file.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -42,7 +43,8 @@ void check_size(const SurfaceMesh& objects, const std::string& name)
                   name, size, smallest_bird, largest_bird, size > largest_bird ? "1 mm" : "1 m"));
 }
 
-void read_files(const BirdCase& bird, const std::vector<std::filesystem::path>& files, BirdMesh& mesh, Log& log)
+void read_files(const BirdCase& bird, const std::vector<std::filesystem::path>& files, BirdMesh& mesh,
+                Log& log)
 {
   ImportOptions options;
   options.unit = std::isnan(bird.mesh_unit) ? 0 : bird.mesh_unit;
@@ -93,8 +95,8 @@ BirdMesh read_bird_mesh(const BirdCase& bird, const std::vector<std::filesystem:
     triangles += object.triangles.size();
   const Box box = bounding_box(mesh.objects);
   const Vector3 size = box.upper - box.lower;
-  log.info(fmt::format("mesh {}: {} solids, {} triangles, {:.3f} m long, {:.3f} m wide, {:.3f} m high", mesh.name,
-                       mesh.objects.size(), triangles, size.x(), size.y(), size.z()));
+  log.info(fmt::format("mesh {}: {} solids, {} triangles, {:.3f} m long, {:.3f} m wide, {:.3f} m high",
+                       mesh.name, mesh.objects.size(), triangles, size.x(), size.y(), size.z()));
 
   std::vector<PartPattern> own;
   std::vector<std::string> names;
@@ -137,7 +139,8 @@ std::vector<PartCase> usual_parts(const BirdMesh& mesh, const std::vector<PartCa
       continue;
     const auto found = std::find_if(usual.begin(), usual.end(), same);
     require(found != usual.end(),
-            fmt::format("{}: part \"{}\" has no usual porosity; write a case file that gives it", mesh.name, name));
+            fmt::format("{}: part \"{}\" has no usual porosity; write a case file that gives it", mesh.name,
+                        name));
     parts.push_back(*found);
   }
   return parts;

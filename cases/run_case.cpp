@@ -2,6 +2,7 @@
 // Runs a case.
 #include "cases/run_case.h"
 
+#include "cases/bird_report.h"
 #include "cases/build_bird.h"
 #include "cases/build_target.h"
 #include "cases/figures.h"
@@ -141,14 +142,14 @@ void evaluate_gauges(const Case& parsed, const Simulation& run, const Flight& fl
     facts.transducers = report_transducers(run.transducer_history(), parsed, flight,
                                            hardest_law(parts, flight.normal_speed()));
   if (is_column(parsed))
-    facts.planar =
-        check_plane_wave(run.history(), {parts.front().eos, parsed.bird.parts.front().layers,
-                                         parsed.bird.spacing, flight.normal_speed(), flight.contact_time(),
-                                         parsed.target.size[0] * parsed.target.size[1]});
+    facts.planar = check_plane_wave(run.history(),
+                                    {parts.front().eos, parsed.bird.parts.front().layers,
+                                     run.particles().spacing, flight.normal_speed(), flight.contact_time(),
+                                     parsed.target.size[0] * parsed.target.size[1]});
 }
 
 void run_and_record(const Case& parsed, const RunOptions& options, Simulation& run, const Flight& flight,
-                    double density_factor, Clock::time_point start, Log& log)
+                    double density_factor, const std::string& bird, Clock::time_point start, Log& log)
 {
   write_text_atomically(options.output / "case.toml", to_toml(parsed));
   Recorder recorder(options.output, !parsed.transducers.empty(), log);
@@ -162,6 +163,7 @@ void run_and_record(const Case& parsed, const RunOptions& options, Simulation& r
 
   RunFacts facts;
   facts.density_factor = density_factor;
+  facts.bird = bird;
   facts.series_bytes = recorder.series().bytes();
   evaluate_gauges(parsed, run, flight, facts);
   const History frames = to_history(*histories_of_series(recorder.series().pvd()));
@@ -204,6 +206,7 @@ void run_case(const Case& parsed, const RunOptions& options, Log& log)
   if (options.threads > 0)
     omp_set_num_threads(options.threads); // for the fill, too
   BuiltBird bird = build_bird(parsed, log);
+  const std::string about_bird = bird_json(bird);
   Settings settings = parsed.run;
   settings.threads = options.threads;
   BuiltTarget target = build_target(parsed, log);
@@ -231,7 +234,7 @@ void run_case(const Case& parsed, const RunOptions& options, Log& log)
   for (const std::string& warning : warnings)
     log.warn(warning);
   try {
-    run_and_record(parsed, options, run, bird.flight, bird.density_factor, start, log);
+    run_and_record(parsed, options, run, bird.flight, bird.density_factor, about_bird, start, log);
   } catch (const std::exception& error) {
     log.file_only(fmt::format("error: {}", error.what()));
     throw;

@@ -17,6 +17,7 @@ class Simulation;
 struct RunFacts
 {
   double density_factor = 1;
+  std::string bird;         //!< bird_json of it; empty: nothing more is known
   double contact_time = 0;  //!< by geometry [s]
   double permanent_set = 0; //!< of the target, by the frames of the last fifth of the run [m]
   std::uintmax_t series_bytes = 0;

@@ -145,8 +145,8 @@ void Columns::visit(double u, double v, Visit&& hit) const
     const std::uint32_t row = listed_[at];
     const auto& t = triangles_[row];
     const Flat &a = points_[t[0]], &b = points_[t[1]], &c = points_[t[2]];
-    if ((u < a.u && u < b.u && u < c.u) || (u > a.u && u > b.u && u > c.u) || (v < a.v && v < b.v && v < c.v) ||
-        (v > a.v && v > b.v && v > c.v))
+    if ((u < a.u && u < b.u && u < c.u) || (u > a.u && u > b.u && u > c.u) ||
+        (v < a.v && v < b.v && v < c.v) || (v > a.v && v > b.v && v > c.v))
       continue;
     if (side(t, u, v) != 0)
       hit(height(t, u, v), facing_[row]);

@@ -24,7 +24,7 @@ constexpr double bytes_per_particle = 600; // state, neighbour list and output o
 constexpr double memory_share = 0.8;       // of the machine's memory that a run may take
 constexpr double snap_share = 0.05;        // of the spacing: a box this near to y = 0 is taken as symmetric
 constexpr double widest_gap = 1.5;         // spacings between parts that were meant to touch
-constexpr double most_lines = 1500;       // across the longest side, to measure what the parts have
+constexpr double most_lines = 1500;        // across the longest side, to measure what the parts have
 constexpr int tries_for_count = 12;        // spacings tried to meet a number of particles
 constexpr std::size_t most_parts = 255;    // parts are bytes
 constexpr int along = 1;                   // rows of the lattice run along y, within layers across x
@@ -71,7 +71,9 @@ class LatticeFill
 public:
   LatticeFill(const Solids& solids, const std::vector<std::uint8_t>& part_of, const Lattice& lattice,
               double spacing)
-      : solids_(solids), part_of_(part_of), lattice_(lattice),
+      : solids_(solids),
+        part_of_(part_of),
+        lattice_(lattice),
         x_(solids.box().lower.x(), solids.box().upper.x(), spacing * lattice.layer),
         y_(solids.box().lower.y(), solids.box().upper.y(), spacing * lattice.side, true),
         z_(solids.box().lower.z(), solids.box().upper.z(), spacing * lattice.side)
@@ -164,6 +166,19 @@ double spacing_for(std::size_t wanted, double volume, const std::function<std::s
   return best;
 }
 
+//! Adds gaps seen along another axis: of each two objects the widest stays.
+void add_gaps(std::vector<Meeting>& gaps, const std::vector<Meeting>& more)
+{
+  for (const Meeting& one : more) {
+    const auto same = std::find_if(gaps.begin(), gaps.end(),
+                                   [&](const Meeting& g) { return g.a == one.a && g.b == one.b; });
+    if (same == gaps.end())
+      gaps.push_back(one);
+    else if (one.volume > same->volume)
+      *same = one;
+  }
+}
+
 //! Twice volume over area is the thickness of a plate, and 2/3 of that of a rod or a ball's 1/3: a fair length.
 double typical_thickness(const SurfacePart& part) { return 2 * signed_volume(part) / surface_area(part); }
 
@@ -177,9 +192,10 @@ void require_all_filled(const Fill& fill, const SurfaceMesh& mesh, const std::ve
     for (std::size_t i = 0; i < mesh.size(); ++i)
       if (part_of[i] == p)
         thickness = std::min(thickness, typical_thickness(mesh[i]));
-    throw InputError(format_text("part '%s' is about %.3g mm thick and gets no particle at a spacing of %.4g mm; use a "
-                          "spacing of %.2g mm or less, or leave the part out of the mesh",
-                          fill.parts[p].name.c_str(), 1e3 * thickness, 1e3 * spacing, 1e3 * thickness / 2));
+    throw InputError(
+        format_text("part '%s' is about %.3g mm thick and gets no particle at a spacing of %.4g mm; use a "
+                    "spacing of %.2g mm or less, or leave the part out of the mesh",
+                    fill.parts[p].name.c_str(), 1e3 * thickness, 1e3 * spacing, 1e3 * thickness / 2));
   }
 }
 
@@ -209,12 +225,12 @@ void require_memory(double volume, double length, double spacing)
   if (count <= allowed)
     return;
   const double fits = 1.01 * std::cbrt(volume / allowed);
-  throw InputError(
-      format_text("a spacing of %.4g mm would make about %.3g particles, which need %.3g GB where the machine "
-           "has %.3g GB; the bird is %.4g m long and holds %.4g m3 (is its unit right?); a spacing of "
-           "%.4g mm or more fits",
-           1e3 * spacing, count, 1e-9 * count * bytes_per_particle, 1e-9 * physical_memory(), length, volume,
-           1e3 * fits));
+  throw InputError(format_text(
+      "a spacing of %.4g mm would make about %.3g particles, which need %.3g GB where the machine "
+      "has %.3g GB; the bird is %.4g m long and holds %.4g m3 (is its unit right?); a spacing of "
+      "%.4g mm or more fits",
+      1e3 * spacing, count, 1e-9 * count * bytes_per_particle, 1e-9 * physical_memory(), length, volume,
+      1e3 * fits));
 }
 
 Fill fill_mesh(const SurfaceMesh& mesh, const std::vector<std::string>& part_of, const FillOptions& options)
@@ -249,6 +265,8 @@ Fill fill_mesh(const SurfaceMesh& mesh, const std::vector<std::string>& part_of,
   const Solids::Shares shares = solids.shares(part_of, step, widest_gap * first_spacing);
   fill.overlaps = shares.overlaps;
   fill.gaps = shares.gaps;
+  for (const int axis : {0, 2}) // a gap is seen by lines that cross it
+    add_gaps(fill.gaps, Solids(mesh, axis).shares(part_of, 2 * step, widest_gap * first_spacing).gaps);
   double volume = 0;
   for (std::size_t i = 0; i < mesh.size(); ++i) {
     fill.parts[part_row[i]].body += shares.of[i];

@@ -29,8 +29,8 @@ struct Fill
   std::vector<FilledPart> parts; //!< only parts with a solid in the mesh, in the order of first appearance
   double spacing = 0;            //!< cube root of the mean volume of a particle [m]
   Lattice lattice;               //!< that the seeds lie on, or lay on before they were relaxed
-  std::vector<Meeting> overlaps, gaps;        //!< between objects of different parts
-  std::vector<std::string> notes;             //!< what else the user should know, a sentence each
+  std::vector<Meeting> overlaps, gaps;             //!< between objects of different parts
+  std::vector<std::string> notes;                  //!< what else the user should know, a sentence each
   double density_deviation = 0, density_worst = 0; //!< of relaxed particles: root mean square and largest [-]
 };
 

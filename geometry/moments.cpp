@@ -40,12 +40,14 @@ Moments moments_of(const SurfacePart& part)
   const Vector3 origin = bounding_box(part).centre(); // far from it the sums would lose digits
   Moments sum;
   for (const auto& t : part.triangles) {
-    const Vector3 a = part.points[t[0]] - origin, b = part.points[t[1]] - origin, c = part.points[t[2]] - origin;
+    const Vector3 a = part.points[t[0]] - origin, b = part.points[t[1]] - origin,
+                  c = part.points[t[2]] - origin;
     const double volume = a.dot(b.cross(c)) / 6;
     const Vector3 s = a + b + c;
     sum.amount += volume;
     sum.first += 0.25 * volume * s;
-    sum.second += volume / 20 * (s * s.transpose() + a * a.transpose() + b * b.transpose() + c * c.transpose());
+    sum.second +=
+        volume / 20 * (s * s.transpose() + a * a.transpose() + b * b.transpose() + c * c.transpose());
   }
   Moments moved;
   moved.amount = sum.amount;

@@ -41,7 +41,8 @@ bool starts_word(std::string_view name, std::size_t at)
 
 std::string lower_case(std::string text)
 {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
   return text;
 }
 
@@ -90,10 +91,13 @@ std::string part_of_object(const std::string& object_name, const std::vector<Par
   std::string given;
   for (const PartPattern& p : own)
     given += (given.empty() ? "" : ", ") + p.pattern + " (" + p.part + ")";
-  throw InputError("object '" + object_name + "' of the mesh belongs to no known part of a bird; rename it so that it "
-                   "contains one of " + known_words() +
-                   (given.empty() ? ", or give its part a pattern for it (objects = [\"" + object_name + "\"])"
-                                  : ", or add a pattern for it to those given: " + given));
+  throw InputError("object '" + object_name +
+                   "' of the mesh belongs to no known part of a bird; rename it so that it "
+                   "contains one of " +
+                   known_words() +
+                   (given.empty()
+                        ? ", or give its part a pattern for it (objects = [\"" + object_name + "\"])"
+                        : ", or add a pattern for it to those given: " + given));
 }
 
 } // namespace birdstrike

@@ -93,8 +93,12 @@ class Settling
 {
 public:
   Settling(Fill& fill, const Solids& solids, const std::vector<std::uint8_t>& part_of, double smoothing)
-      : fill_(fill), solids_(solids), part_of_(part_of), h_(smoothing * fill.spacing),
-        space_(space_of(solids, fill.spacing)), cells_(space_.middle, 2 * h_)
+      : fill_(fill),
+        solids_(solids),
+        part_of_(part_of),
+        h_(smoothing * fill.spacing),
+        space_(space_of(solids, fill.spacing)),
+        cells_(space_.middle, 2 * h_)
   {
     for (const FilledPart& part : fill.parts)
       wanted_.push_back(std::max(1l, std::lround(part.mesh_volume / std::pow(fill.spacing, 3))));
@@ -182,7 +186,8 @@ private:
     for (std::size_t i = 0; i < at_.size(); ++i)
       if (have[part_[i]] > wanted_[part_[i]])
         dense.emplace_back(0, std::uint32_t(i));
-    for_each_row(dense.size(), [&](std::size_t k) { dense[k].first = -excess(at_[dense[k].second], grid).value; });
+    for_each_row(dense.size(),
+                 [&](std::size_t k) { dense[k].first = -excess(at_[dense[k].second], grid).value; });
     std::sort(dense.begin(), dense.end());
     std::vector<char> gone(at_.size()), shy(at_.size());
     for (const auto& [value, i] : dense) {
@@ -219,15 +224,16 @@ private:
       return;
     for (const Vector3& middle : space_.middle)
       for (int corner = 0; corner < 8; ++corner)
-        offer(middle + 0.25 * fill_.spacing *
-                           Vector3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1));
+        offer(middle +
+              0.25 * fill_.spacing * Vector3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1));
     std::vector<std::pair<double, std::uint32_t>> holes(places.size());
     for_each_row(places.size(), [&](std::size_t k) {
       double nearest = 4 * h_ * h_;
       grid.visit(places[k], 2 * h_, [&](std::uint32_t, const Vector3&, double squared) {
         nearest = std::min(nearest, squared);
       });
-      holes[k] = {excess(places[k], grid).value - nearest / (fill_.spacing * fill_.spacing), std::uint32_t(k)};
+      holes[k] = {excess(places[k], grid).value - nearest / (fill_.spacing * fill_.spacing),
+                  std::uint32_t(k)};
     });
     std::sort(holes.begin(), holes.end());
     const PointGrid offered(places, apart * fill_.spacing);
@@ -270,9 +276,8 @@ private:
 
   void measure(const std::vector<double>& value)
   {
-    fill_.density_deviation =
-        std::sqrt(ordered_sum(value.size(), [&](std::size_t i) { return value[i] * value[i]; }) /
-                  double(value.size()));
+    fill_.density_deviation = std::sqrt(
+        ordered_sum(value.size(), [&](std::size_t i) { return value[i] * value[i]; }) / double(value.size()));
     fill_.density_worst = 0;
     for (double v : value)
       fill_.density_worst = std::max(fill_.density_worst, std::abs(v));

@@ -12,9 +12,12 @@ namespace birdstrike {
 
 namespace {
 
-constexpr double touching = 2e-3; // share of the smaller volume below which an overlap, and above one minus which
-                                  // an enclosure, is only the lines' coarseness
+constexpr double touching =
+    2e-3; // share of the smaller volume below which an overlap, and above one minus which
+          // an enclosure, is only the lines' coarseness
 
+constexpr double telling_gap =
+    5e-3; // of the smaller volume; the corners where two bodies meet are narrow, too, but less
 constexpr long blocks_of_lines = 64; // summed one by one: the same sums on any number of threads
 
 //! Sums of one block of lines, later added in a fixed order.
@@ -114,7 +117,8 @@ Solids::Shares Solids::shares(const std::vector<std::string>& part_of, double st
     Tally& tally = blocks[block];
     std::vector<Event> events;
     std::vector<int> winding(n), in;
-    const long begin = block * count_u / long(blocks.size()), end = (block + 1) * count_u / long(blocks.size());
+    const long begin = block * count_u / long(blocks.size()),
+               end = (block + 1) * count_u / long(blocks.size());
     for (long line = begin * count_v; line < end * count_v; ++line) {
       const double u = box_.lower[along_u] + (double(line / count_v) + 0.5) * du;
       const long j = line % count_v;
@@ -187,7 +191,7 @@ Solids::Shares Solids::shares(const std::vector<std::string>& part_of, double st
         if (other_part)
           result.overlaps.push_back({name_a, name_b, shared, share});
       }
-      if (gap > 0.5 * touching * volume[a] && other_part && share < 1 - touching)
+      if (gap > telling_gap * volume[a] && other_part && share < 1 - touching)
         result.gaps.push_back({name_a, name_b, gap, gap / volume[a]});
     }
   result.exact = clean;

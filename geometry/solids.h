@@ -21,9 +21,9 @@ struct Span
 //! Two objects that share space though neither holds the other, or two that leave a thin gap.
 struct Meeting
 {
-  std::string a, b;      //!< names of the objects; b is the larger one
-  double volume = 0;     //!< shared, or between them [m3]
-  double share = 0;      //!< of the volume of a [-]
+  std::string a, b;  //!< names of the objects; b is the larger one
+  double volume = 0; //!< shared, or between them [m3]
+  double share = 0;  //!< of the volume of a [-]
 };
 
 //! How the objects of a mesh fill space. A point belongs to the smallest object around it, so that bones and lungs win

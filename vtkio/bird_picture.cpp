@@ -53,12 +53,12 @@ void write_bird_picture(vtkUnstructuredGrid& bird, const std::string& title, con
     scenes.push_back(std::make_unique<Scene>(options, bounds, canvas.width, canvas.height));
     scenes.back()->show(frame, ranges_of({frame}, options));
     page.place(*scenes.back(), canvas);
-    page.ground().AddActor2D(
-        make_text(panels[k].caption, x + 0.6 * font, y + panel_height - caption / 2, font, Anchor::left, ink));
+    page.ground().AddActor2D(make_text(panels[k].caption, x + 0.6 * font, y + panel_height - caption / 2,
+                                       font, Anchor::left, ink));
   }
   page.ground().AddActor2D(make_text(title, 0.6 * font, height - heading / 2, font, Anchor::left, ink));
-  add_part_legend(page.ground(), {0.02 * width, 0.2 * font, 0.96 * width, legend - 0.4 * font}, parts_of(bird), font,
-                  ink);
+  add_part_legend(page.ground(), {0.02 * width, 0.2 * font, 0.96 * width, legend - 0.4 * font},
+                  parts_of(bird), font, ink);
   write_png(*page.draw(), png);
 }
 

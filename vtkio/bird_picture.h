@@ -14,6 +14,7 @@ namespace birdstrike {
 //! \param bird   as particles_to_vtk makes it
 //! \param title  top left
 //! \throw OutputError naming the file if it cannot be written, or if there is no OpenGL
-void write_bird_picture(vtkUnstructuredGrid& bird, const std::string& title, const std::filesystem::path& png);
+void write_bird_picture(vtkUnstructuredGrid& bird, const std::string& title,
+                        const std::filesystem::path& png);
 
 } // namespace birdstrike

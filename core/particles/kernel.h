@@ -31,7 +31,8 @@ struct Lattice
   double shift_y = 0, shift_z = 0; //!< in sides; both 0: simple cubic
   double layer = 1;                //!< distance of layers
   double side = 1;                 //!< of a layer's squares; side^2 layer = 1
-  double counted = 0; //!< mean of sum V W over particles that are on no lattice any more (relaxed); 0: a lattice's
+  double counted =
+      0; //!< mean of sum V W over particles that are on no lattice any more (relaxed); 0: a lattice's
 };
 
 //! Simple cubic, as CAD birds are filled.

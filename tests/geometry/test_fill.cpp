@@ -131,6 +131,84 @@ TEST_CASE("where two solids merely overlap, the smaller wins", "[geometry][fill]
   CHECK(std::adjacent_find(places.begin(), places.end()) == places.end()); // nobody sits twice
 }
 
+TEST_CASE("overlaps and gaps between parts are told with their volume", "[geometry][fill][analytic]")
+{
+  SurfaceMesh mesh{make_box({0.1, 0.1, 0.1}), make_box({0.06, 0.04, 0.04}), make_box({0.04, 0.05, 0.05})};
+  const auto shift = [&](int object, const Vector3& by) {
+    for (Vector3& p : mesh[object].points)
+      p += by;
+  };
+  shift(1, {0.07, 0, 0});  // reaches 10 mm into the first: 0.01 x 0.04 x 0.04
+  shift(2, {0, 0, 0.078}); // its lower face stands 3 mm above the first
+  const Fill fill = fill_lattice(mesh, {"torso", "neck", "head"}, 0.004);
+  REQUIRE(fill.overlaps.size() == 1);
+  CHECK(fill.overlaps[0].volume == Approx(1.6e-5).epsilon(0.02));
+  CHECK(fill.overlaps[0].share == Approx(1.0 / 6).epsilon(0.02));
+  REQUIRE(fill.gaps.size() == 1);
+  CHECK(fill.gaps[0].volume == Approx(0.04 * 0.05 * 0.003).epsilon(0.05));
+  CHECK(fill.parts[0].mesh_volume == Approx(1e-3 - 1.6e-5).epsilon(2e-3)); // the smaller one has the overlap
+  CHECK(fill.parts[1].mesh_volume == Approx(9.6e-5).epsilon(2e-3));
+}
+
+TEST_CASE("in the close-packed lattice each particle has twelve nearest neighbours",
+          "[geometry][fill][analytic]")
+{
+  const double spacing = 0.006, nearest = std::pow(2, 1.0 / 6) * spacing;
+  const Fill fill = fill_mesh({ball(0.1)}, {"torso"}, {.spacing = spacing, .lattice = "fcc"});
+  std::size_t inner = 0;
+  for (const Seed& a : fill.seeds) {
+    int touching = 0;
+    for (const Seed& b : fill.seeds) {
+      const double distance = (a.position - b.position).norm();
+      CHECK((&a == &b || distance > 0.999 * nearest));
+      touching += distance > 0 && distance < 1.001 * nearest;
+    }
+    if (a.position.norm() < 0.03) {
+      ++inner;
+      CHECK(touching == 12);
+    }
+  }
+  CHECK(inner > 100);
+  CHECK(filled(fill, 0) == Approx(signed_volume(ball(0.1))).epsilon(0.02));
+}
+
+TEST_CASE("a number of particles is met as nearly as the lattice can, relaxed exactly", "[geometry][fill]")
+{
+  for (const char* lattice : {"cubic", "fcc", "leaning"})
+    for (const std::size_t wanted : {500u, 5000u}) {
+      const Fill fill = fill_mesh({ball(0.1)}, {"torso"}, {.particles = wanted, .lattice = lattice});
+      CAPTURE(lattice, wanted, fill.seeds.size());
+      CHECK(std::abs(double(fill.seeds.size()) / double(wanted) - 1) < 0.02);
+      CHECK(filled(fill, 0) == Approx(signed_volume(ball(0.1))).epsilon(0.04));
+    }
+  const Fill relaxed = fill_mesh({ball(0.1)}, {"torso"}, {.particles = 777, .lattice = "fcc", .relax = true});
+  CHECK(relaxed.seeds.size() == 777);
+  CHECK_THAT(
+      input_error([] { fill_mesh({ball(0.1)}, {"torso"}, {.spacing = 0.01, .lattice = "hexagonal"}); }),
+      Contains("hexagonal") && Contains("cubic, fcc and leaning"));
+}
+
+TEST_CASE("relaxed particles stay within their parts, which have their volumes", "[geometry][fill]")
+{
+  const SurfaceMesh mesh{ball(0.1), ball(0.05, {0.01, 0.005, 0}), ball(0.04, {0.06, 0, 0})};
+  const std::vector<std::string> names{"torso", "lungs", "head"};
+  const Fill fill = fill_mesh(mesh, names, {.spacing = 0.005, .lattice = "fcc", .relax = true});
+  const Solids solids(mesh, 1);
+  for (const Seed& seed : fill.seeds) {
+    const int owner = solids.owner(seed.position);
+    REQUIRE(owner >= 0);
+    REQUIRE(names[owner] == fill.parts[seed.part].name);
+  }
+  for (const FilledPart& part : fill.parts)
+    CHECK(double(part.particles) * part.particle_volume == Approx(part.mesh_volume).epsilon(1e-12));
+  CHECK(fill.density_deviation < 0.02);
+  const Fill again = fill_mesh(mesh, names, {.spacing = 0.005, .lattice = "fcc", .relax = true});
+  bool same = again.seeds.size() == fill.seeds.size();
+  for (std::size_t i = 0; same && i < fill.seeds.size(); ++i)
+    same = again.seeds[i].position == fill.seeds[i].position;
+  CHECK(same); // the same bits on every call
+}
+
 TEST_CASE("objects of one part are counted together", "[geometry][fill]")
 {
   const SurfaceMesh mesh{ball(0.05, {0, 0.1, 0}), ball(0.04), ball(0.05, {0, -0.1, 0})};
