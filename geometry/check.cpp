@@ -91,12 +91,12 @@ std::string complaint(const SurfaceReport& r)
   if (r.mixed_edges > 0)
     return times(r.mixed_edges, "edge joins", "edges join") +
            " faces that look opposite ways; recalculate the normals outwards";
+  if (r.degenerate_faces > 0)
+    return times(r.degenerate_faces, "face has", "faces have") + " no area; dissolve degenerate faces";
   if (r.self_intersecting)
     return "the surface intersects itself (" + std::string(r.more_self_intersections ? "at least " : "") +
            times(r.self_intersections, "pair", "pairs") +
            " of faces); unite overlapping pieces (Boolean union) or give them different names";
-  if (r.degenerate_faces > 0)
-    return times(r.degenerate_faces, "face has", "faces have") + " no area; dissolve degenerate faces";
   if (r.volume == 0 || !r.oriented)
     return r.volume < 0
                ? "the normals point inwards; flip them"

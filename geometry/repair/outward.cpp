@@ -16,11 +16,12 @@ namespace birdstrike {
 namespace {
 
 constexpr std::size_t most_probes = 24, most_samples = 200;
+constexpr double most_angles = 1e8; // solid angles, some seconds
 
-std::vector<Vector3> probes(const SurfacePart& part)
+std::vector<Vector3> probes(const SurfacePart& part, std::size_t most)
 {
   std::vector<Vector3> points;
-  const std::size_t step = 1 + part.triangles.size() / most_probes;
+  const std::size_t step = 1 + part.triangles.size() / most;
   for (std::size_t i = 0; i < part.triangles.size(); i += step) {
     const auto& t = part.triangles[i];
     points.push_back((part.points[t[0]] + part.points[t[1]] + part.points[t[2]]) / 3);
@@ -45,13 +46,22 @@ Nesting turn_outward(std::vector<Shell>& shells)
   std::stable_sort(order.begin(), order.end(),
                    [&](int l, int r) { return box[l].diagonal() > box[r].diagonal(); });
 
+  double work = 0; // solid angles for one probe of each shell
+  for (int at = 0; at < count; ++at)
+    for (int before = 0; before < at; ++before)
+      if (const Box& one = box[order[at]], &other = box[order[before]];
+          (one.lower.array() <= other.upper.array()).all() &&
+          (other.lower.array() <= one.upper.array()).all())
+        work += double(shells[order[before]].surface.triangles.size());
+  const std::size_t some = std::clamp(std::size_t(most_angles / (work + 1)), std::size_t(1), most_probes);
+
   Nesting nesting;
   for (int at = 0; at < count; ++at) {
     const int i = order[at];
     Shell& shell = shells[i];
     double least = INFINITY, most = -INFINITY; // winding of the shells around it, at its probes
     int around = -1;                           // the smallest shell around it
-    const std::vector<Vector3> points = probes(shell.surface);
+    const std::vector<Vector3> points = probes(shell.surface, some);
     for (const Vector3& p : points) {
       double sum = 0;
       for (int before = 0; before < at; ++before) {

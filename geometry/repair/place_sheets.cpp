@@ -21,6 +21,7 @@ namespace birdstrike {
 namespace {
 
 constexpr std::size_t most_probes = 32, most_sheets_compared = 40;
+constexpr double most_stray_area = 0.05; // of the part's area, all strays together
 
 Vector3 middle(const SurfacePart& part, const std::array<int, 3>& t)
 {
@@ -134,15 +135,17 @@ SheetWork place_sheets(std::vector<SurfacePart> sheets, const SurfacePart& body,
         },
         "inner wall", "inner walls");
   }
-  double largest = surface_area(body);
+  // Strays are small, and together still little: a wing of a thousand loose feathers is no heap of strays.
+  double small_area = 0;
   for (const SurfacePart& sheet : sheets)
-    largest = std::max(largest, surface_area(sheet));
-  std::size_t triangles = 0;
-  const std::size_t strays = std::erase_if(sheets, [&](const SurfacePart& sheet) {
-    const bool stray = is_small(sheet, total_area) && surface_area(sheet) < largest;
-    triangles += stray ? sheet.triangles.size() : 0;
-    return stray;
-  });
+    small_area += is_small(sheet, total_area) ? surface_area(sheet) : 0;
+  std::size_t triangles = 0, strays = 0;
+  if (small_area < most_stray_area * total_area)
+    strays = std::erase_if(sheets, [&](const SurfacePart& sheet) {
+      const bool stray = is_small(sheet, total_area);
+      triangles += stray ? sheet.triangles.size() : 0;
+      return stray;
+    });
   if (strays > 0)
     work.actions.push_back("dropped " + count_text(strays, "stray piece", "stray pieces") + " (" +
                            count_text(triangles, "triangle", "triangles") + ")");

@@ -45,7 +45,8 @@ Border find_border(const SurfacePart& part)
 }
 
 // Corner to corner. The first point of a cluster stays where it is.
-std::size_t join_border_points(SurfacePart& part, const Border& border, double tolerance, double& gap)
+std::size_t join_border_points(SurfacePart& part, const Border& border, double tolerance, double finest,
+                               double& gap)
 {
   using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
   std::vector<Box> boxes;
@@ -64,7 +65,8 @@ std::size_t join_border_points(SurfacePart& part, const Border& border, double t
   CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& l, const Box& r) {
     const int p = std::min(l.info(), r.info()), q = std::max(l.info(), r.info());
     const double distance = (part.points[p] - part.points[q]).norm();
-    if (distance <= std::min(tolerance, std::max(border.shortest[p], border.shortest[q]) / 3))
+    if (distance <=
+        std::max(finest, std::min(tolerance, std::min(border.shortest[p], border.shortest[q]) / 3)))
       pairs.push_back({distance, p, q});
   });
   std::sort(pairs.begin(), pairs.end());
@@ -87,11 +89,18 @@ std::size_t join_border_points(SurfacePart& part, const Border& border, double t
 }
 
 // Corner to side: the triangle becomes a fan of triangles, one for each piece of the side.
-std::size_t split_sides(SurfacePart& part, double tolerance, double& gap)
+std::size_t split_sides(SurfacePart& part, double tolerance, double finest, double& gap)
 {
   std::map<int, std::vector<TJunction>> of_triangle;
-  for (const TJunction& j : find_t_junctions(part, tolerance))
-    of_triangle[j.triangle].push_back(j);
+  const Border border = find_border(part);
+  for (const TJunction& j : find_t_junctions(part, tolerance)) {
+    // The corner across a hole of one triangle is no T-junction.
+    const auto& t = part.triangles[j.triangle];
+    const Vector3 &a = part.points[t[j.side]], &b = part.points[t[(j.side + 1) % 3]];
+    const double distance = (part.points[j.point] - a - j.along * (b - a)).norm();
+    if (distance <= std::max(finest, std::min(border.shortest[j.point], (b - a).norm()) / 3))
+      of_triangle[j.triangle].push_back(j);
+  }
   std::size_t splits = 0;
   for (const auto& [row, junctions] : of_triangle) {
     const auto t = part.triangles[row];
@@ -130,11 +139,11 @@ Stitching stitch(SurfacePart& part, double widest)
   for (double tolerance = finest; border.open_edges > 0;) {
     SurfacePart trial = part;
     Stitching step = total;
-    step.joined += join_border_points(trial, border, tolerance, step.gap);
+    step.joined += join_border_points(trial, border, tolerance, finest, step.gap);
     drop_doubled_triangles(trial);
     // Every split can bring new open edges face to face with further corners, but only so many times.
     for (int round = 0; round < 64; ++round) {
-      const std::size_t split = split_sides(trial, tolerance, step.gap);
+      const std::size_t split = split_sides(trial, tolerance, finest, step.gap);
       step.split += split;
       if (split == 0)
         break;

@@ -581,7 +581,7 @@ void pieces(std::vector<DirtyMesh>& list)
                   "A ball with a cavity, everything inside out.",
                   together(flipped(ball()), ball(0.05)),
                   {"flipped all 1056 triangles", "wall of a cavity"},
-                  "inside out",
+                  "normals point inwards",
                   ball_volume * 0.875,
                   1e-9,
                   {{0.06, 0, 0}, {0, -0.07, 0.03}},
@@ -829,6 +829,14 @@ void worst(std::vector<DirtyMesh>& list)
 }
 
 } // namespace
+
+double depth_in_ball(const Vector3& point) { return radius - point.norm(); }
+
+double depth_in_box(const Vector3& point) { return (Vector3(0.1, 0.04, 0.03) - point.cwiseAbs()).minCoeff(); }
+
+// Nothing else in the list has these volumes.
+bool is_ball(const DirtyMesh& mesh) { return mesh.volume == ball_volume && mesh.inside == ball_in; }
+bool is_box(const DirtyMesh& mesh) { return mesh.volume == box_volume && mesh.inside == box_in; }
 
 std::vector<DirtyMesh> dirty_meshes()
 {

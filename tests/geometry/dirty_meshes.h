@@ -23,6 +23,12 @@ struct DirtyMesh
   std::vector<Vector3> inside = {}, outside = {}; //!< points that must be in and out of the repaired body [m]
 };
 
+//! Distance from the surface of the body that is meant, where that is a ball or the box of dirty_meshes: positive inside [m].
+double depth_in_ball(const Vector3& point);
+double depth_in_box(const Vector3& point);
+bool is_ball(const DirtyMesh& mesh);
+bool is_box(const DirtyMesh& mesh);
+
 inline constexpr double dirty_spacing = 5e-3; //!< of the particles that the meshes are repaired for [m]
 
 //! All of them; the sizes are those of a bird of 0.1 to 0.3 m.
