@@ -26,7 +26,7 @@ constexpr std::array patterns{
     Pattern{"lung", "lungs", false},  Pattern{"wing", "wings", false},    Pattern{"head", "head", false},
     Pattern{"beak", "head", false},   Pattern{"bill", "head", false},     Pattern{"skull", "head", false},
     Pattern{"neck", "neck", false},   Pattern{"torso", "torso", false},   Pattern{"body", "torso", false},
-    Pattern{"trunk", "torso", false},
+    Pattern{"trunk", "torso", false}, Pattern{"leg", "bones", true},
 };
 
 // Words start after anything that is no letter, and at a capital after a small letter (LeftRib).
@@ -52,8 +52,8 @@ std::string part_of_object(const std::string& object_name)
   throw InputError(
       "object '" + object_name +
       "' of the mesh belongs to no known part of a bird; rename it so that it contains head, beak, bill "
-      "or skull (head), neck, torso, body or trunk (torso), wing (wings), bone, spine, keel, rib, sternum "
-      "or skeleton (bones), or lung (lungs)");
+      "or skull (head), neck, torso, body or trunk (torso), wing (wings), bone, spine, keel, rib, sternum, "
+      "skeleton or leg (bones), or lung (lungs)");
 }
 
 } // namespace birdstrike
