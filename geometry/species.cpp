@@ -6,6 +6,7 @@
 #include "geometry/birds/legs.h"
 #include "geometry/birds/slab.h"
 #include "geometry/birds/wings.h"
+#include "geometry/check.h"
 #include "geometry/mesh_implicit.h"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace birdstrike {
 namespace {
 
 // Edge lengths at detail 0 over the torso's radius, about those of the goose of geometry/anatomy.h.
-constexpr double torso_share = 0.090, head_share = 0.062, neck_share = 0.075, wing_share = 0.110,
+constexpr double torso_share = 0.100, head_share = 0.062, neck_share = 0.075, wing_share = 0.110,
                  lungs_share = 0.080;
 constexpr double overlap_share = 0.06;      // how far parts reach into each other, over the torso's radius
 constexpr double goose_torso_density = 412; // torso with bones and lungs of that goose [kg/m3]: a first guess
@@ -62,6 +63,22 @@ double common_volume(const Implicit& a, const Implicit& b, const Box& box)
         count += a(p) < 0 && b(p) < 0;
       }
   return double(count) * cell.prod();
+}
+
+//! mesh_implicit, and again a little finer where its last step folded the surface over
+//! itself, or a thin end came off.
+SurfacePart sound_mesh(const std::string& name, const Implicit& body, const Box& box, double edge,
+                       std::size_t pieces = 1)
+{
+  for (int attempt = 0;; ++attempt) {
+    SurfacePart part = mesh_implicit(name, body, box, edge);
+    const SurfaceReport report = check_surface(part);
+    if (report.closed && report.oriented && !report.self_intersecting && report.components == pieces)
+      return part;
+    require(attempt < 5,
+            "the bird's part '" + name + "' cannot be meshed soundly; change the detail a little");
+    edge *= 0.94;
+  }
 }
 
 //! What of a body lies ahead of x, with a rim rounded by \p blend [m].
@@ -132,16 +149,17 @@ public:
     bodies.neck = cut_behind(bodies.neck, body_frame(size_, shape_, radius).front - overlap_share * radius,
                              0.06 * radius);
     const double margin = 0.4 * radius, rib = a.rib_radius;
-    const double fine_tail = 1.9 * a.edge_radius, fine_bill = 1.7 * a.bill.back().radius;
+    const double fine_tail = 1.9 * a.edge_radius,
+                 fine_bill = 1.5 * std::min(1.0, a.bill_flatness) * a.bill.back().radius;
     SurfacePart head =
-        mesh_implicit("head", bodies.head, head_box(a, 0.3 * radius), edge(head_share * radius, fine_bill));
-    SurfacePart neck = mesh_implicit("neck", bodies.neck, neck_box(a, 0.3 * radius),
-                                     edge(neck_share * radius, a.neck.back().radius));
+        sound_mesh("head", bodies.head, head_box(a, 0.3 * radius), edge(head_share * radius, fine_bill));
+    SurfacePart neck = sound_mesh("neck", bodies.neck, neck_box(a, 0.3 * radius),
+                                  edge(neck_share * radius, a.neck.back().radius));
     SurfacePart torso =
-        mesh_implicit("torso", bodies.torso, torso_box(a, margin), edge(torso_share * radius, fine_tail));
-    SurfacePart bones = mesh_implicit("bones", bodies.bones, torso_box(a, 0), edge(0.9 * rib, 1.25 * rib));
+        sound_mesh("torso", bodies.torso, torso_box(a, margin), edge(torso_share * radius, fine_tail));
+    SurfacePart bones = sound_mesh("bones", bodies.bones, torso_box(a, 0), edge(1.2 * rib, 1.25 * rib));
     SurfacePart lungs =
-        mesh_implicit("lungs", bodies.lungs, torso_box(a, 0), edge(lungs_share * radius, 0.25 * radius));
+        sound_mesh("lungs", bodies.lungs, torso_box(a, 0), edge(lungs_share * radius, 0.25 * radius), 2);
 
     // Legs stand below the torso and weigh little: made before the torso is fitted to the mass.
     SurfaceMesh legs;
@@ -164,12 +182,14 @@ public:
     for (SurfacePart* part : {&torso, &bones, &lungs})
       stretch_across(*part, factor);
 
+    // A folded wing lies on the torso with all of its length: it may not eat much of it.
+    const bool folded = form_.wings == WingPose::folded;
     const WingSite site{body_frame(size_, shape_, factor * radius), stretched_across(bodies.torso, factor),
-                        middle_line(a, factor), overlap_share * radius, edge(wing_share * radius, radius)};
+                        middle_line(a, factor), (folded ? 0.4 : 1) * overlap_share * radius,
+                        edge(wing_share * radius, radius)};
     const double volume = 0.5 * wings / 300;
-    SurfacePart wing = form_.wings == WingPose::folded
-                           ? folded_wing(site, volume)
-                           : open_wing(size_, shape_, form_.wings == WingPose::half_folded, site, volume);
+    SurfacePart wing = folded ? folded_wing(site, volume)
+                              : open_wing(size_, shape_, form_.wings == WingPose::half_folded, site, volume);
     SurfaceMesh bird{head, neck, torso, wing, mirrored_left_right(wing, "wing_right"), bones, lungs};
     bird.insert(bird.end(), legs.begin(), legs.end());
     return bird;

@@ -44,7 +44,7 @@ std::vector<Section> torso_sections(const BodyFrame& f, const Proportions& shape
   const auto toward = [&](double from, double share) { return from + share * (end - from); };
   sections.push_back({f.rear + 0.92 * f.core, 0.6 * z, toward(last.width * f.half_width, 0.5),
                       toward(last.height * f.half_height, 0.5)});
-  sections.push_back({f.front, z, 0.94 * end, 0.94 * end});
+  sections.push_back({f.front, z, 0.99 * end, 0.99 * end}); // the neck goes on from here
   return sections;
 }
 
@@ -66,13 +66,12 @@ void set_neck(GooseAnatomy& a, const BodyFrame& f, const Proportions& shape, Nec
     return;
   }
   // Drawn in: an S below and behind the head; what the neck loses in length it gains in girth.
-  const double gap = 0.30 * length, nape = f.front + gap,
-               rise = std::min(0.45 * (length - gap), 0.75 * f.radius);
+  const double gap = std::max(0.30 * length, std::min(0.6 * length, 0.5 * skull)), nape = f.front + gap;
+  const double rise = std::min(0.45 * (length - gap), 0.75 * f.radius);
   const double thicker =
       std::clamp(std::sqrt((length + 0.3 * skull) / (gap + rise + 0.3 * skull)), 1.0, 1.35);
   const double wide_top = std::min(top * thicker, 0.97 * shape.skull_half_width * skull);
-  const double wide_base = std::min(base * thicker, 0.5 * (0.80 * f.radius + base));
-  const auto girth = [&](double s) { return wide_base + (wide_top - wide_base) * s; };
+  const auto girth = [&](double s) { return base + (wide_top - base) * s; };
   a.neck = {{{f.front - 0.08 * f.core, 0, z - 0.05 * f.radius}, girth(0)},
             {{f.front + 0.15 * gap, 0, z}, girth(0.15)},
             {{f.front + 0.55 * gap, 0, z + 0.45 * rise}, girth(0.55)},

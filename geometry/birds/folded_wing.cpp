@@ -14,15 +14,15 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-// The wing's outline on the body, from shoulder to tip: lower and upper rim as angles around the middle line
+// The wing's outline on the body, from the shoulder (0) to the core's end (1) and the wing's tip (2): lower and upper rim as angles around the middle line
 // (0 is sideways, 90 degrees up), and thickness over the largest. Chosen.
 struct Row
 {
   double along, low, high, thickness;
 };
-constexpr Row outline[] = {{0.00, -8, 38, 0.40},  {0.07, -24, 52, 0.72}, {0.20, -34, 64, 1.00},
-                           {0.40, -32, 74, 1.00}, {0.60, -14, 78, 0.86}, {0.78, 18, 80, 0.62},
-                           {0.92, 42, 81, 0.40},  {1.00, 60, 80, 0.22}};
+constexpr Row outline[] = {{0.00, -8, 38, 0.40},  {0.10, -24, 52, 0.72}, {0.27, -34, 64, 1.00},
+                           {0.50, -32, 74, 1.00}, {0.72, -12, 78, 0.86}, {0.88, 14, 80, 0.66},
+                           {1.00, 38, 81, 0.50},  {1.50, 52, 81, 0.34},  {2.00, 62, 80, 0.20}};
 
 class FoldedWing
 {
@@ -63,12 +63,17 @@ public:
   }
 
 private:
-  double along(int i) const { return double(i) / (rows_ - 1); }
+  double x(int i) const { return first_ + (last_ - first_) * i / (rows_ - 1); }
+  double along(int i) const
+  {
+    const double rear = site_.frame.rear, at = x(i);
+    return at > rear ? (first_ - at) / (first_ - rear) : 1 + (rear - at) / (rear - last_);
+  }
   Vector3 at(int i, int j, double from_axis) const
   {
-    const double u = along(i), x = first_ + (last_ - first_) * u;
+    const double u = along(i), here = x(i);
     const double angle = low_(u) + (high_(u) - low_(u)) * j / (columns_ - 1);
-    return {x, from_axis * std::cos(angle), site_.middle(x) + from_axis * std::sin(angle)};
+    return {here, from_axis * std::cos(angle), site_.middle(here) + from_axis * std::sin(angle)};
   }
   double skin(int i, int j) const
   {

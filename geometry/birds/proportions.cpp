@@ -19,13 +19,13 @@ std::vector<Proportions> make_table()
   goose.passerine = false;
   goose.core = 0.475;
   goose.tail = 0.135;
-  goose.skull = 0.085;
+  goose.skull = 0.09;
   goose.tail_half_thickness = 0.0072;
   goose.tail_rows = {{0, 0.026}, {0.06, 0.036}, {0.2, 0.048}, {0.45, 0.051}, {0.75, 0.047}};
   goose.flatness = 1.13;
-  goose.neck_base = 0.34;
-  goose.neck_top = 0.72;
-  goose.skull_half_width = 0.33;
+  goose.neck_base = 0.36;
+  goose.neck_top = 0.74;
+  goose.skull_half_width = 0.34;
   goose.skull_half_height = 0.36;
   goose.bill_base = 0.26;
   goose.bill_middle = 0.20;
@@ -40,7 +40,8 @@ std::vector<Proportions> make_table()
                 {0.72, -0.065, 0.92, 0.064},
                 {0.86, -0.140, 0.64, 0.054},
                 {0.95, -0.205, 0.37, 0.046},
-                {1, -0.255, 0.13, 0.042}};
+                {0.98, -0.236, 0.22, 0.044},
+                {1, -0.255, 0.03, 0.042}};
   goose.shoulder = 0.26;
   goose.wing_share = 0.24;
   goose.fingers = 0;
@@ -51,16 +52,16 @@ std::vector<Proportions> make_table()
   mallard.name = "mallard";
   mallard.core = 0.525;
   mallard.tail = 0.135;
-  mallard.skull = 0.100;
+  mallard.skull = 0.105;
   mallard.tail_rows = {{0, 0.012}, {0.08, 0.022}, {0.3, 0.036}, {0.6, 0.046}, {0.85, 0.049}};
   mallard.flatness = 1.10;
-  mallard.neck_base = 0.44;
-  mallard.neck_top = 0.76;
-  mallard.skull_half_width = 0.29;
-  mallard.skull_half_height = 0.33;
-  mallard.bill_base = 0.16;
-  mallard.bill_middle = 0.165;
-  mallard.bill_tip = 0.17;
+  mallard.neck_base = 0.5;
+  mallard.neck_top = 0.8;
+  mallard.skull_half_width = 0.33;
+  mallard.skull_half_height = 0.37;
+  mallard.bill_base = 0.185;
+  mallard.bill_middle = 0.19;
+  mallard.bill_tip = 0.2;
   mallard.bill_flatness = 0.42;
   mallard.bill_droop = 0.18;
   mallard.wing = {{0, 0, 1.20, 0},
@@ -71,21 +72,22 @@ std::vector<Proportions> make_table()
                   {0.70, -0.075, 0.84, 0.052},
                   {0.85, -0.180, 0.56, 0.038},
                   {0.95, -0.265, 0.30, 0.026},
-                  {1, -0.320, 0.09, 0.020}};
+                  {0.98, -0.299, 0.17, 0.023},
+                  {1, -0.320, 0.03, 0.020}};
   mallard.wing_share = 0.20;
 
   Proportions gull = goose;
   gull.name = "herring-gull";
   gull.core = 0.465;
   gull.tail = 0.235;
-  gull.skull = 0.105;
+  gull.skull = 0.115;
   gull.tail_half_thickness = 0.0068;
   gull.tail_rows = {{0, 0.060}, {0.05, 0.070}, {0.3, 0.068}, {0.65, 0.058}};
   gull.flatness = 1.08;
-  gull.neck_base = 0.62;
-  gull.neck_top = 0.92;
-  gull.skull_half_width = 0.32;
-  gull.skull_half_height = 0.37;
+  gull.neck_base = 0.68;
+  gull.neck_top = 0.98;
+  gull.skull_half_width = 0.37;
+  gull.skull_half_height = 0.41;
   gull.bill_base = 0.13;
   gull.bill_middle = 0.095;
   gull.bill_tip = 0.075;
@@ -99,7 +101,8 @@ std::vector<Proportions> make_table()
                {0.62, 0.045, 1.00, 0.098},
                {0.78, -0.045, 0.78, 0.070},
                {0.91, -0.145, 0.46, 0.034},
-               {1, -0.225, 0.10, 0.006}};
+               {0.98, -0.207, 0.21, 0.012},
+               {1, -0.225, 0.03, 0.006}};
   gull.shoulder = 0.24;
   gull.wing_share = 0.26;
 
@@ -108,14 +111,14 @@ std::vector<Proportions> make_table()
   starling.passerine = true;
   starling.core = 0.470;
   starling.tail = 0.205;
-  starling.skull = 0.125;
+  starling.skull = 0.137;
   starling.tail_half_thickness = 0.0072;
   starling.tail_rows = {{0, 0.056}, {0.05, 0.060}, {0.3, 0.055}, {0.65, 0.049}};
   starling.flatness = 1.05;
-  starling.neck_base = 0.66;
-  starling.neck_top = 0.95;
-  starling.skull_half_width = 0.33;
-  starling.skull_half_height = 0.36;
+  starling.neck_base = 0.72;
+  starling.neck_top = 1.0;
+  starling.skull_half_width = 0.38;
+  starling.skull_half_height = 0.4;
   starling.bill_base = 0.125;
   starling.bill_middle = 0.078;
   starling.bill_tip = 0.036;
@@ -129,7 +132,8 @@ std::vector<Proportions> make_table()
                    {0.70, -0.085, 0.76, 0.050},
                    {0.85, -0.205, 0.50, 0.040},
                    {0.95, -0.300, 0.26, 0.032},
-                   {1, -0.355, 0.07, 0.028}};
+                   {0.98, -0.334, 0.14, 0.030},
+                   {1, -0.355, 0.03, 0.028}};
   starling.shoulder = 0.27;
   starling.wing_share = 0.20;
   starling.webbed = false;
@@ -139,13 +143,13 @@ std::vector<Proportions> make_table()
   pigeon.passerine = false;
   pigeon.core = 0.500;
   pigeon.tail = 0.235;
-  pigeon.skull = 0.095;
+  pigeon.skull = 0.103;
   pigeon.tail_rows = {{0, 0.074}, {0.05, 0.086}, {0.25, 0.084}, {0.6, 0.064}};
   pigeon.flatness = 1.08;
-  pigeon.neck_base = 0.56;
-  pigeon.neck_top = 0.86;
-  pigeon.skull_half_width = 0.34;
-  pigeon.skull_half_height = 0.39;
+  pigeon.neck_base = 0.62;
+  pigeon.neck_top = 0.92;
+  pigeon.skull_half_width = 0.4;
+  pigeon.skull_half_height = 0.44;
   pigeon.bill_base = 0.16;
   pigeon.bill_middle = 0.115;
   pigeon.bill_tip = 0.085;
@@ -159,7 +163,8 @@ std::vector<Proportions> make_table()
                  {0.70, -0.050, 0.82, 0.086},
                  {0.85, -0.170, 0.56, 0.080},
                  {0.95, -0.265, 0.32, 0.076},
-                 {1, -0.325, 0.10, 0.074}};
+                 {0.98, -0.302, 0.19, 0.075},
+                 {1, -0.325, 0.03, 0.074}};
   pigeon.shoulder = 0.26;
   pigeon.wing_share = 0.20;
 
@@ -171,8 +176,8 @@ std::vector<Proportions> make_table()
   vulture.tail_half_thickness = 0.0062;
   vulture.tail_rows = {{0, 0.034}, {0.05, 0.056}, {0.16, 0.076}, {0.35, 0.082}, {0.7, 0.068}};
   vulture.flatness = 1.12;
-  vulture.neck_base = 0.46;
-  vulture.neck_top = 0.85;
+  vulture.neck_base = 0.52;
+  vulture.neck_top = 0.9;
   vulture.skull_half_width = 0.30;
   vulture.skull_half_height = 0.34;
   vulture.bill_base = 0.28;
