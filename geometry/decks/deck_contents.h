@@ -2,6 +2,7 @@
 // What all decks of a bird have in common, worked out once: order, parts, velocities, header.
 #pragma once
 
+#include "core/error.h"
 #include "geometry/decks/write_deck.h"
 
 #include <cstdint>
@@ -56,6 +57,17 @@ struct DeckContents
 
 //! \throw InputError as write_deck
 DeckContents deck_contents(const Particles& bird, const DeckOptions& options);
+
+//! Do what concerns one part. \throw InputError of the action, with the part's name before it
+template <class Action>
+void naming(const DeckPart& part, Action action)
+{
+  try {
+    action();
+  } catch (const InputError& error) {
+    throw InputError("part " + part.name + ": " + error.what());
+  }
+}
 
 //! How a law stands in a deck, for its comments: "exact", or the table's rows, range and error.
 std::string table_remark(const struct DeckTable& table, const DeckPart& part, const DeckUnits& units,
