@@ -11,6 +11,8 @@
 
 namespace birdstrike {
 
+struct DeckTable;
+
 //! Particles of a part with one mass.
 struct DeckGroup
 {
@@ -70,8 +72,7 @@ void naming(const DeckPart& part, Action action)
 }
 
 //! How a law stands in a deck, for its comments: "exact", or the table's rows, range and error.
-std::string table_remark(const struct DeckTable& table, const DeckPart& part, const DeckUnits& units,
-                         double error);
+std::string table_remark(const DeckTable& table, const DeckPart& part, const DeckUnits& units, double error);
 //! One paragraph as lines of at most \p width characters.
 std::vector<std::string> wrapped(const std::string& text, std::size_t width = 76);
 
