@@ -70,15 +70,6 @@ std::vector<DeckGroup> by_mass(const DeckContents& deck, const std::vector<std::
   return groups;
 }
 
-double hugoniot_of(const Part& part, double speed)
-{
-  try {
-    return hugoniot(part.eos, speed).pressure;
-  } catch (const InputError& error) {
-    throw InputError("part " + part.name + ": " + error.what());
-  }
-}
-
 void add_parts(DeckContents& deck, double speed)
 {
   const Particles& bird = *deck.bird;
@@ -100,7 +91,7 @@ void add_parts(DeckContents& deck, double speed)
     entry.groups = by_mass(deck, entry.members);
     for (const DeckGroup& group : entry.groups)
       entry.mass += group.mass * static_cast<double>(group.members.size());
-    deck.hugoniot = std::max(deck.hugoniot, hugoniot_of(part, speed));
+    naming(entry, [&] { deck.hugoniot = std::max(deck.hugoniot, hugoniot(part.eos, speed).pressure); });
     deck.parts.push_back(std::move(entry));
   }
   // Soft parts feel the pressure of stiff ones beside them.

@@ -2,6 +2,7 @@
 // What all decks of a bird have in common, worked out once: order, parts, velocities, header.
 #pragma once
 
+#include "core/error.h"
 #include "geometry/decks/write_deck.h"
 
 #include <cstdint>
@@ -9,6 +10,8 @@
 #include <vector>
 
 namespace birdstrike {
+
+struct DeckTable;
 
 //! Particles of a part with one mass.
 struct DeckGroup
@@ -57,9 +60,19 @@ struct DeckContents
 //! \throw InputError as write_deck
 DeckContents deck_contents(const Particles& bird, const DeckOptions& options);
 
+//! Do what concerns one part. \throw InputError of the action, with the part's name before it
+template <class Action>
+void naming(const DeckPart& part, Action action)
+{
+  try {
+    action();
+  } catch (const InputError& error) {
+    throw InputError("part " + part.name + ": " + error.what());
+  }
+}
+
 //! How a law stands in a deck, for its comments: "exact", or the table's rows, range and error.
-std::string table_remark(const struct DeckTable& table, const DeckPart& part, const DeckUnits& units,
-                         double error);
+std::string table_remark(const DeckTable& table, const DeckPart& part, const DeckUnits& units, double error);
 //! One paragraph as lines of at most \p width characters.
 std::vector<std::string> wrapped(const std::string& text, std::size_t width = 76);
 

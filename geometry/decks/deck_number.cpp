@@ -38,6 +38,13 @@ std::string formatted(double value, std::chars_format format, int precision)
   return error == std::errc() ? tidy(std::string(buffer, end)) : std::string();
 }
 
+double read(const std::string& text)
+{
+  double value = 0;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
 //! d.dddE-x or ddd.ddd, whichever holds more digits.
 std::string most_digits(double value, std::size_t width)
 {
@@ -73,7 +80,7 @@ std::string real_field(double value, std::size_t width)
     const double enough =
         width > 10 ? 1e-9 : 1e-6; // relative round-off that a blank before the number may cost
     std::string shorter = most_digits(value, width - 1);
-    if (std::abs(std::stod(shorter) - value) <= enough * std::abs(value))
+    if (std::abs(read(shorter) - value) <= enough * std::abs(value))
       text = std::move(shorter);
     else if (text.size() > width)
       text = most_digits(value, width);

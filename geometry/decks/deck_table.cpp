@@ -14,7 +14,7 @@ namespace birdstrike {
 namespace {
 
 constexpr double usual_error = 0.004, floor_share = 0.01;
-constexpr double largest_ratio = 10;
+constexpr double largest_ratio = 100; // of densities; the most porous flesh locks at 10
 constexpr std::size_t most_rows = 2000;
 
 double along(TableAxis axis, double ratio)

@@ -43,7 +43,7 @@ inline constexpr double largest_table_error = 0.005;
 //! along the last line stays on the stiff side. In tension down to a fifth beyond the cut-off.
 //! \param range           [Pa]
 //! \param tension_cutoff  lowest pressure of the material, <= 0 [Pa]
-//! \throw InputError if the law does not reach \p range below ten times its density, or would need over 2000 rows
+//! \throw InputError if the law does not reach \p range below a hundred times its density, or would need over 2000 rows
 DeckTable cut_table(const EquationOfState& eos, double range, double tension_cutoff, TableAxis axis);
 
 //! The same with exactly \p rows >= 4 rows (unless the tension side alone needs as many), and the smallest error that they allow.

@@ -111,7 +111,7 @@ private:
     out_.line("*MATERIAL, NAME=" + name);
     out_.line("*DENSITY");
     out_.line(real(part.density / u_.density()) + ",");
-    law(part);
+    naming(part, [&] { law(part); });
     if (deck_.options.tension_cutoff == 0)
       out_.comment("1 Pa of tension stands for none");
     out_.line("*TENSILE FAILURE, ELEMENT DELETION=NO, PRESSURE=DUCTILE, SHEAR=DUCTILE");

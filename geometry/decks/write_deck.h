@@ -22,7 +22,8 @@ struct DeckOptions
   double table_speed = 0; //!< laws are right up to twice the Hugoniot pressure of this speed [m/s]; 0: of the
                           //!< bird's own, and of 250 m/s for a bird at rest
   int first_id = 1;       //!< number of the node and of the element of the particle with id 0
-  int first_part = 1;     //!< number of the first part, its section, material, equation of state and curve
+  int first_part =
+      1; //!< number of the first part, its section, material and law; a curve has about twice that
 };
 
 //! Nodes, particles with their masses, a part, section, material and equation of state for each part of the bird,

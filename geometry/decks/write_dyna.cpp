@@ -89,7 +89,7 @@ private:
     out_.line(integer10(part.id) + real10(part.density / u_.density()) +
               real10(deck_.cutoff / u_.pressure()) + real10(0) + real10(0) + real10(0) + real10(0) +
               real10(0));
-    law(part);
+    naming(part, [&] { law(part); });
   }
 
   void law(const DeckPart& part)
@@ -143,7 +143,7 @@ private:
     double error = 0;
     const int points = resampled(table, part.part->eos, error);
     out_.comments(wrapped(table_remark(table, part, u_, std::max(error, table.error))));
-    out_.comment("Curves lcc and lct over ln(V), which recent versions take in place of ten points.");
+    out_.comment("Curves lcc and lct over ln(V): recent versions take them for ten points.");
     const std::int64_t pressure = 2 * std::int64_t(part.id) - 1, heating = pressure + 1; // numbers of curves
     out_.line("*EOS_TABULATED");
     out_.comment("   eosid      gama        e0        v0       lcc       lct");

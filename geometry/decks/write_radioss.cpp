@@ -113,7 +113,7 @@ private:
       starter_.comment("Pmin: 1 Pa of tension stands for none, as a zero would stand for no limit");
     starter_.comment("               Knu                Pmin");
     starter_.line(real20(0) + real20(deck_.cutoff / u_.pressure()));
-    law(part, number);
+    naming(part, [&] { law(part, number); });
   }
 
   void law(const DeckPart& part, const std::string& number)

@@ -62,3 +62,11 @@ TEST_CASE("Mie-Grueneisen refuses constants of no material", "[eos][errors]")
   CHECK_THROWS_AS(MieGrueneisen(1000, {1480, 1.9, NAN, 0, 0.1, 0}), InputError);
   CHECK_THROWS_WITH(MieGrueneisen(1000, {1480, 40, 0, 0, 0.1, 0}), Catch::Contains("stops rising"));
 }
+
+TEST_CASE("the constants of a Mie-Grueneisen law build it again, at another density, too", "[eos]")
+{
+  const MieGrueneisen law = MieGrueneisen(1000, steinberg_water).rescaled(640);
+  const MieGrueneisen again(640, law.constants());
+  for (const double x : {0.97, 1.0, 1.04, 1.15})
+    CHECK(again.at(640 * x, 8e3).pressure == Approx(law.at(640 * x, 8e3).pressure).epsilon(1e-12));
+}
