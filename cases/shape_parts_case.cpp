@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "geometry/fill.h"
+#include "geometry/mix_parts.h"
 
 #include <fmt/format.h>
 
