@@ -7,7 +7,7 @@
 #include "cases/share_folder.h"
 #include "core/error.h"
 #include "geometry/decks/write_deck.h"
-#include "geometry/write_glb.h" // TEMP
+#include "geometry/write_surface.h"
 #include "vtkio/atomic_file.h"
 #include "vtkio/bird_picture.h"
 #include "vtkio/particles_to_vtk.h"
@@ -22,8 +22,6 @@
 namespace birdstrike {
 namespace {
 
-std::vector<std::string> surface_formats() { return {".glb"}; }
-void write_surface(const SurfaceMesh& m, const std::filesystem::path& f) { write_glb(m, f); }
 enum class Kind
 {
   particles,

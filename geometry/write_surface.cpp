@@ -157,6 +157,8 @@ void write_whole(const std::string& text, const std::filesystem::path& file)
 
 } // namespace
 
+std::vector<std::string> surface_formats() { return {".glb", ".obj", ".ply", ".stl", ".off"}; }
+
 void write_surface(const SurfaceMesh& mesh, const std::filesystem::path& file)
 {
   std::string ending = file.extension().string();

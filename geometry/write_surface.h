@@ -5,8 +5,12 @@
 #include "geometry/surface_mesh.h"
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace birdstrike {
+
+std::vector<std::string> surface_formats(); //!< ".glb", ".obj", ".ply", ".stl", ".off"
 
 //! Write all parts into one file, positions in metres as they are:
 //!   .glb  a node a part (write_glb)        .obj  an object and group a part, text

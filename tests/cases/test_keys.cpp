@@ -41,7 +41,7 @@ TEST_CASE("defaults are those of the settings", "[cases][keys]")
     return to_toml(key->slot(values, 0), *key);
   };
   CHECK(shown({"bird", "gap"}) == "\"10 mm\"");
-  CHECK(shown({"bird", "mesh_unit"}) == "\"1 m\"");
+  CHECK(shown({"bird", "lattice"}) == "\"cubic\"");
   CHECK(shown({"bird", "smoothing"}) == "1.28");
   CHECK(shown({"target", "rigid"}) == "true");
   CHECK(shown({"run", "viscosity"}) == "\"limited\"");

@@ -29,7 +29,7 @@ std::string complaint(const std::string& text)
   try {
     const Case parsed = read_case(folder.write("case.toml", text));
     Log log(true);
-    build_bird(parsed, read_bird_mesh(folder.path / "box.obj", 1, parsed.bird.parts, log), log);
+    build_bird(parsed, read_bird_mesh(parsed.bird, {folder.path / "box.obj"}, log), log);
   } catch (const InputError& error) {
     std::string message = error.what();
     const std::string prefix = folder.path.string() + "/";
@@ -113,7 +113,7 @@ TEST_CASE("a part with a law of its own is scaled to the bird's mass", "[cases][
                                          "MPa\"\ngamma = 7.98\n")));
   Log log(true);
   const BuiltBird bird =
-      build_bird(parsed, read_bird_mesh(folder.path / "box.obj", 1, parsed.bird.parts, log), log);
+      build_bird(parsed, read_bird_mesh(parsed.bird, {folder.path / "box.obj"}, log), log);
   CHECK(bird.density_factor == Approx(1.2 / (950 * 0.002)));
   const EquationOfState& eos = bird.particles.parts[0].eos;
   CHECK(reference_density(eos) == Approx(600));
