@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace birdstrike::test {
+namespace birdstrike::test::decks {
 
 //! Water of Steinberg, UCRL-MA-106439.
 inline const MieGrueneisenConstants water{1480, 2.56, -1.986, 0.2286, 0.4934, 1.3937};
@@ -103,4 +103,4 @@ inline double field(const std::string& line, std::size_t first, std::size_t widt
   return std::stod(line.substr(first - 1, width));
 }
 
-} // namespace birdstrike::test
+} // namespace birdstrike::test::decks

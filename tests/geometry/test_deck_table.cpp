@@ -91,7 +91,7 @@ TEST_CASE("a short table has the rows that it may have, and says its error", "[d
 
 TEST_CASE("a table of a law with energy holds both of its parts", "[decks][eos]")
 {
-  const EquationOfState eos = MieGrueneisen(1000, test::water);
+  const EquationOfState eos = MieGrueneisen(1000, test::decks::water);
   const ShockState shock = hugoniot(eos, 250);
   const DeckTable table = cut_table(eos, 2 * shock.pressure, 0, TableAxis::log_volume);
   CHECK(table.has_energy);

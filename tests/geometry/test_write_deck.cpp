@@ -13,6 +13,7 @@
 
 using namespace birdstrike;
 using namespace birdstrike::test;
+using namespace birdstrike::test::decks;
 
 namespace {
 
