@@ -158,7 +158,8 @@ std::string summary_json(const Simulation& run, const RunFacts& facts)
       {"mass", ledger.mass}, {"momentum", momentum}, {"final_momentum", ledger.momentum.dot(along)}};
   if (!facts.bird.empty())
     for (const auto& [key, value] : nlohmann::ordered_json::parse(facts.bird).items())
-      json["bird"].emplace(key, value);
+      if (!json["bird"].contains(key))
+        json["bird"][key] = value;
   json["density_factor"] = facts.density_factor;
   json["impulse"] = impulse;
   json["impulse_over_momentum"] = momentum > 0 ? impulse / momentum : 0;

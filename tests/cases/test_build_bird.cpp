@@ -109,8 +109,9 @@ TEST_CASE("a mesh in another unit or for another mass is refused with a remedy",
   const scratch::Folder folder;
   folder.write("box.obj", box("torso", 100, 50, 50));
   const fs::path file = folder.write("case.toml", box_case);
-  CHECK_THROWS_WITH(build(file, {"bird.mesh_unit=1 m"}), Catch::Contains("200 m across") && Catch::Contains("bird.mesh_unit") &&
-                                     Catch::Contains("\"1 mm\""));
+  CHECK_THROWS_WITH(build(file, {"bird.mesh_unit=1 m"}), Catch::Contains("200 m across") &&
+                                                             Catch::Contains("bird.mesh_unit") &&
+                                                             Catch::Contains("\"1 mm\""));
   CHECK(build(file, {"bird.mesh_unit=1 mm"}).density_factor == Approx(1).epsilon(1e-3));
   CHECK_THROWS_WITH(build(file, {"bird.mesh_unit=1 mm", "bird.mass=40 kg"}),
                     Catch::Contains("does not belong to this mesh") && Catch::Contains("1.201 kg"));
@@ -131,10 +132,12 @@ TEST_CASE("what is met exactly is the mass, the density, or the mass without the
     CHECK(a.density == Approx(mass.density_factor * porous_density(a.porosity)).epsilon(1e-12));
     CHECK(b.density == Approx(porous_density(b.porosity)).epsilon(1e-12));
   }
-  CHECK_THROWS_WITH(read_case(goose, {"bird.exact=density"}), Catch::Contains("bird.mass") && Catch::Contains("density"));
+  CHECK_THROWS_WITH(read_case(goose, {"bird.exact=density"}),
+                    Catch::Contains("bird.mass") && Catch::Contains("density"));
 }
 
-TEST_CASE("a density stands for the porosity of a mixture, and for the density of an own law", "[cases][bird]")
+TEST_CASE("a density stands for the porosity of a mixture, and for the density of an own law",
+          "[cases][bird]")
 {
   const scratch::Folder folder;
   folder.write("box.obj", box("torso", 0.1, 0.05, 0.05));
@@ -194,9 +197,11 @@ TEST_CASE("a case may name a species, a rule for its mass, and a number of parti
   const Case again = read_case(folder.write("again.toml", to_toml(read_case(file))));
   CHECK(again.bird.particles == 1500);
   CHECK(again.bird.mass == read_case(file).bird.mass);
-  CHECK_THROWS_WITH(read_case(file, {"bird.species=dodo"}), Catch::Contains("dodo") && Catch::Contains("herring-gull"));
-  CHECK_THROWS_WITH(read_case(file, {"bird.mesh=goose.glb"}),
-                    Catch::Contains("bird.mesh") && Catch::Contains("bird.species") && Catch::Contains("exactly one"));
+  CHECK_THROWS_WITH(read_case(file, {"bird.species=dodo"}),
+                    Catch::Contains("dodo") && Catch::Contains("herring-gull"));
+  CHECK_THROWS_WITH(read_case(file, {"bird.mesh=goose.glb"}), Catch::Contains("bird.mesh") &&
+                                                                  Catch::Contains("bird.species") &&
+                                                                  Catch::Contains("exactly one"));
   CHECK_THROWS_WITH(read_case(file, {"bird.mass=31.789"}), Catch::Contains("bird.mass"));
 }
 

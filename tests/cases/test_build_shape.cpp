@@ -172,8 +172,9 @@ TEST_CASE("mesh, shape and column each refuse what is not theirs", "[cases][shap
                     Catch::Contains("bird.mesh is missing") && Catch::Contains("bird.shape"));
   CHECK_THROWS_WITH(parse(shape_case, {"bird.shape=cube"}),
                     Catch::Contains("one of \"sphere\"") && Catch::Contains("\"column\""));
-  CHECK_THROWS_WITH(parse(shape_case, {"bird.mesh_unit=1 mm"}),
-                    Catch::Contains("--set: bird.mesh_unit = \"1 mm\": this key is only for a bird with bird.mesh"));
+  CHECK_THROWS_WITH(
+      parse(shape_case, {"bird.mesh_unit=1 mm"}),
+      Catch::Contains("--set: bird.mesh_unit = \"1 mm\": this key is only for a bird with bird.mesh"));
   CHECK_THROWS_WITH(parse(shape_case, {"bird.columns=7"}),
                     Catch::Contains("only for a column") && Catch::Contains("bird.shape = \"cylinder\""));
   CHECK_THROWS_WITH(parse(shape_case, {"bird.parts.wing.porosity=0.1"}),

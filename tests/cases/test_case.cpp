@@ -40,7 +40,8 @@ void check_equal(const Case& a, const Case& b)
   CHECK(a.title == b.title);
   CHECK(a.source == b.source);
   CHECK(a.bird.mesh == b.bird.mesh);
-  CHECK((a.bird.mesh_unit == b.bird.mesh_unit || (std::isnan(a.bird.mesh_unit) && std::isnan(b.bird.mesh_unit))));
+  CHECK((a.bird.mesh_unit == b.bird.mesh_unit ||
+         (std::isnan(a.bird.mesh_unit) && std::isnan(b.bird.mesh_unit))));
   CHECK(a.bird.mass == b.bird.mass);
   CHECK(a.bird.spacing == b.bird.spacing);
   CHECK(a.bird.velocity == b.bird.velocity);

@@ -112,8 +112,7 @@ TEST_CASE("a part with a law of its own is scaled to the bird's mass", "[cases][
                                          "[eos.gel]\nlaw = \"murnaghan\"\ndensity = \"950 kg/m3\"\nB = \"128 "
                                          "MPa\"\ngamma = 7.98\n")));
   Log log(true);
-  const BuiltBird bird =
-      build_bird(parsed, read_bird_mesh(parsed.bird, {folder.path / "box.obj"}, log), log);
+  const BuiltBird bird = build_bird(parsed, read_bird_mesh(parsed.bird, {folder.path / "box.obj"}, log), log);
   CHECK(bird.density_factor == Approx(1.2 / (950 * 0.002)));
   const EquationOfState& eos = bird.particles.parts[0].eos;
   CHECK(reference_density(eos) == Approx(600));
