@@ -93,11 +93,10 @@ void take_default_signals()
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) // it went before the line above
     _exit(1);
-  if (!sanitized) // their reports stay visible
-    take_default_signals();
+  take_default_signals();
   if (const int nowhere = ::open("/dev/null", O_RDWR); nowhere >= 0) {
     dup2(nowhere, STDOUT_FILENO);
-    if (!sanitized)
+    if (!sanitized) // whose reports stay visible
       dup2(nowhere, STDERR_FILENO);
   }
   limit(RLIMIT_CORE, 0);

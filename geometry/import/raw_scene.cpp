@@ -20,7 +20,8 @@ constexpr const char* known_formats =
 // What a reader may take. Text of a triangle is some 100 bytes long, its scene some 300; zipped text is ten times
 // shorter; the rest is for libraries and their tables.
 constexpr std::size_t memory_at_least = std::size_t(2) << 30, memory_per_byte = 100;
-constexpr double seconds_at_least = 60, seconds_per_byte = 1e-6;
+// A slow machine reads 1 MB/s; a hundred times more hangs. CAD and glTF may lead to far more than the file's size.
+constexpr double seconds_at_least = 10, seconds_of_cad = 120, seconds_per_byte = 2e-5;
 
 std::string lower_extension(const std::filesystem::path& file)
 {
@@ -35,6 +36,8 @@ bool is_one_of(const std::string& extension, std::initializer_list<const char*> 
   return std::find(list.begin(), list.end(), extension) != list.end();
 }
 
+bool is_cad(const std::string& extension) { return is_one_of(extension, {".step", ".stp", ".iges", ".igs"}); }
+
 using ReadFile = RawScene (*)(const std::filesystem::path&);
 
 ReadFile reader_of(const std::filesystem::path& file, const std::string& text)
@@ -48,7 +51,7 @@ ReadFile reader_of(const std::filesystem::path& file, const std::string& text)
                                  ".sldasm", ".prt", ".ipt", ".f3d", ".3dm"}),
           text + " is in a format of one CAD program, which cannot be read; export " +
               (cad_is_read() ? "STEP, " : "") + "STL, OBJ or glTF");
-  if (is_one_of(extension, {".step", ".stp", ".iges", ".igs"}))
+  if (is_cad(extension))
     return [](const std::filesystem::path& path) { return read_cad(path); };
   if (extension == ".3mf")
     return read_3mf;
@@ -78,7 +81,10 @@ RawScene read_scene(const std::filesystem::path& file)
   const ReadFile read = reader_of(file, text);
   std::error_code error;
   const auto size = std::filesystem::file_size(file, error);
-  const IsolationLimits limits{seconds_at_least + seconds_per_byte * double(size),
+  const std::string extension = lower_extension(file);
+  const bool leads_further = is_cad(extension) || extension == ".gltf";
+  const IsolationLimits limits{(leads_further ? seconds_of_cad : seconds_at_least) +
+                                   seconds_per_byte * double(size),
                                memory_at_least + memory_per_byte * std::size_t(size)};
   const std::string bytes = run_isolated(text, limits, [&] { return encode_scene(read(file)); });
   RawScene scene;

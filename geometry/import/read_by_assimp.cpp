@@ -142,6 +142,21 @@ std::string misleading_binary_stl(const std::filesystem::path& file)
   return stream ? bytes : std::string();
 }
 
+//! Without its last line the header of a PLY keeps assimp waiting for ever.
+void require_whole_ply_header(const std::filesystem::path& file)
+{
+  constexpr std::size_t longest = 1 << 20;
+  std::string start(longest, '\0');
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(start.data(), std::streamsize(longest));
+  start.resize(std::size_t(stream.gcount()));
+  require(start.rfind("ply", 0) == 0 && (start.find("\nend_header\n") != std::string::npos ||
+                                         start.find("\rend_header\r") != std::string::npos ||
+                                         start.find("\nend_header\r\n") != std::string::npos),
+          file_text(file) +
+              " cannot be read (its header has no end); it is cut short or damaged: export it again");
+}
+
 } // namespace
 
 bool assimp_knows(const std::string& extension)
@@ -152,6 +167,8 @@ bool assimp_knows(const std::string& extension)
 RawScene read_by_assimp(const std::filesystem::path& file)
 {
   const std::string extension = lower_extension(file);
+  if (extension == ".ply")
+    require_whole_ply_header(file);
   Assimp::Importer importer;
   const aiScene* scene = nullptr;
   std::string reason;

@@ -117,6 +117,11 @@ std::string encode_scene(const RawScene& scene)
     put(bytes, std::uint64_t(part.triangles.size()));
     put_raw(bytes, part.triangles.data(), part.triangles.size() * 3 * sizeof(int));
   }
+  return signed_bytes(std::move(bytes));
+}
+
+std::string signed_bytes(std::string bytes)
+{
   put(bytes, sum_of(bytes));
   return bytes;
 }
