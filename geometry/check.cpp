@@ -66,11 +66,11 @@ std::string times(std::size_t count, const std::string& one, const std::string& 
 
 } // namespace
 
-std::string complaint(const SurfaceReport& r)
+std::string first_fault(const SurfaceReport& r)
 {
   if (r.triangles == 0)
     return "it has no triangles; remove it";
-  if (r.duplicate_faces > 0)
+  if (r.duplicate_faces > 0 && r.crowded_edges > 0)
     return times(r.duplicate_faces, "face is", "faces are") + " there twice, so that " +
            std::to_string(r.crowded_edges) +
            " edges have more than two faces; remove doubled faces, so that the surface bounds one solid";
@@ -145,7 +145,7 @@ std::vector<SurfaceReport> require_solids(const SurfaceMesh& mesh, const std::fi
   std::vector<SurfaceReport> reports;
   for (const SurfacePart& part : mesh) {
     reports.push_back(check_surface(part));
-    const std::string what = complaint(reports.back());
+    const std::string what = first_fault(reports.back());
     require(what.empty(), name + ", part '" + part.name + "': " + what);
   }
   return reports;

@@ -37,10 +37,10 @@ SurfaceReport check_surface(const SurfacePart& part);
 
 //! The first thing that is wrong, with its remedy, from what hinders most to what hinders least; empty if the part is
 //! closed, outward oriented and free of self-intersections, doubled faces and faces without area.
-std::string complaint(const SurfaceReport& report);
+std::string first_fault(const SurfaceReport& report);
 
 //! One report a part.
-//! \throw InputError naming file and part, what is wrong and the remedy, unless complaint() has nothing to say of
+//! \throw InputError naming file and part, what is wrong and the remedy, unless first_fault() has nothing to say of
 //! any part
 std::vector<SurfaceReport> require_solids(const SurfaceMesh& mesh, const std::filesystem::path& file);
 

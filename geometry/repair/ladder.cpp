@@ -42,7 +42,7 @@ class Ladder
 {
 public:
   Ladder(const SurfacePart& part, const SurfaceReport& before, const RepairSizes& sizes)
-      : sizes_(sizes), soup_(part)
+      : sizes_(sizes), original_(part), soup_(part)
   {
     report_.before = before;
   }
@@ -56,6 +56,10 @@ public:
     add_sheets();
     SurfacePart part = assembled();
     report_.after = check_surface(part);
+    if (report_.actions.empty() && report_.before.balanced && bounds_a_body(part)) {
+      report_.after = report_.before;
+      return {original_, std::move(report_)}; // overlaps and the like, which need no change
+    }
     if (!bounds_a_body(part))
       wrap(part);
     if (body_changed_) {
@@ -252,6 +256,7 @@ private:
   }
 
   RepairSizes sizes_;
+  const SurfacePart& original_;
   SurfacePart soup_, with_flat_;
   SurfacePart reference_; // the old surface less what was dropped
   std::vector<Shell> closed_;

@@ -104,13 +104,15 @@ std::optional<Wrapped> wrap_as_solid(const SurfacePart& soup, const RepairSizes&
 
 Wrapped wrap_as_sheet(const SurfacePart& soup, const RepairSizes& sizes)
 {
-  const double alpha = std::max(sizes.thickness, finest_wrap * bounding_box(soup).diagonal());
-  return {alpha_wrap(soup, alpha, sizes.thickness / 2), alpha, sizes.thickness / 2};
+  const double wanted = sizes.thickness, finest = finest_wrap * bounding_box(soup).diagonal();
+  const double alpha = std::max(wanted, finest), offset = sizes.thickness / 2;
+  return {alpha_wrap(soup, alpha, offset), alpha, offset, wanted < finest ? wanted : 0};
 }
 
 std::string describe(const Wrapped& wrapped)
 {
-  return "alpha " + length_text(wrapped.alpha) + ", offset " + length_text(wrapped.offset);
+  return "alpha " + length_text(wrapped.alpha) + ", offset " + length_text(wrapped.offset) +
+         (wrapped.refused > 0 ? "; alpha " + length_text(wrapped.refused) + " would take too long" : "");
 }
 
 SheetWork place_sheets(std::vector<SurfacePart> sheets, const SurfacePart& body, double total_area,

@@ -26,6 +26,7 @@ struct Wrapped
 {
   SurfacePart skin;
   double alpha, offset; //!< [m]
+  double refused = 0;   //!< finer alpha that was wanted but would have taken too long [m]; 0: none
 };
 
 //! Wrap a soup as a solid, with alpha from two spacings on, doubled until the skin holds more than a layer along both sides
@@ -35,7 +36,7 @@ std::optional<Wrapped> wrap_as_solid(const SurfacePart& soup, const RepairSizes&
 //! Wrap a soup as a sheet of the thickness asked for.
 Wrapped wrap_as_sheet(const SurfacePart& soup, const RepairSizes& sizes);
 
-std::string describe(const Wrapped& wrapped); //!< "alpha 6 mm, offset 0.3 mm"
+std::string describe(const Wrapped& wrapped); //!< "alpha 6 mm, offset 300 um", and what was refused
 
 void append(SurfacePart& part, const SurfacePart& other);
 

@@ -59,7 +59,7 @@ RepairedMesh repair(const SurfaceMesh& mesh, const RepairOptions& options, const
     for (const Vector3& p : part.points)
       require(p.allFinite(), where + "a coordinate is not a finite number; export it again");
     const SurfaceReport report = check_surface(part);
-    const std::string what = complaint(report);
+    const std::string what = first_fault(report);
     if (what.empty()) {
       repaired.parts.push_back(part);
       repaired.reports.push_back({report, report, {}, {}, 0, 0});

@@ -41,7 +41,7 @@ struct RepairedMesh
 //! winding number not 0; pieces may overlap. A sound part comes back bit for bit.
 //! \param file  where the mesh comes from, for messages
 //! \throw InputError naming file and part, what is wrong and the remedy, where nothing helps; with strict on any fault
-//! that complaint() knows, saying what would have been done
+//! that first_fault() knows, saying what would have been done
 RepairedMesh repair(const SurfaceMesh& mesh, const RepairOptions& options, const std::filesystem::path& file);
 
 //! Readable lines for the log, each with its end of line: the part before, what was done, notes, how far the surface moved.

@@ -113,6 +113,9 @@ SurfacePart thicken(const SurfacePart& sheet, double thickness)
     solid.triangles.push_back({b, a, below_a});
     solid.triangles.push_back({b, below_a, below_b});
   });
+  // Where more than two rims meet, they leave a small hole at the end of the edge.
+  for (const auto& hole : find_holes(solid))
+    fill_hole(solid, hole);
   return solid;
 }
 

@@ -11,7 +11,10 @@
 #include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <map>
+#include <utility>
 
 namespace birdstrike {
 
@@ -21,25 +24,24 @@ struct Border
 {
   std::vector<int> points;
   std::size_t open_edges = 0;
-  std::vector<double> shortest; // border edge at every point of the part [m]
+  std::vector<double> shortest; // edge of any kind at every point of the part [m]
 };
 
 Border find_border(const SurfacePart& part)
 {
   Border border;
-  border.shortest.assign(part.points.size(), -1);
+  border.shortest.assign(part.points.size(), std::numeric_limits<double>::infinity());
+  std::vector<std::uint8_t> open(part.points.size(), 0);
   visit_edges(sorted_half_edges(part), [&](std::span<const HalfEdge> edge) {
-    if (edge.size() != 1)
-      return;
-    ++border.open_edges;
     const double length = (part.points[edge[0].low] - part.points[edge[0].high]).norm();
     for (int p : {edge[0].low, edge[0].high}) {
-      double& shortest = border.shortest[p];
-      shortest = shortest < 0 ? length : std::min(shortest, length);
+      border.shortest[p] = std::min(border.shortest[p], length);
+      open[p] |= edge.size() == 1;
     }
+    border.open_edges += edge.size() == 1;
   });
   for (int p = 0; p < int(part.points.size()); ++p)
-    if (border.shortest[p] >= 0)
+    if (open[p])
       border.points.push_back(p);
   return border;
 }

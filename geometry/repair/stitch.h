@@ -17,7 +17,7 @@ struct Stitching
 
 //! Join border points and split border edges, first within coincidence_tolerance and then in steps ten times wider, as
 //! long as each step closes something. A step that opens more edges than it closes is taken back.
-//! \param widest  widest gap to close [m]; never more than a third of the shortest edge at the border is bridged
+//! \param widest  widest gap to close [m]; but beyond the tolerance never more than a third of the shortest edge beside it
 Stitching stitch(SurfacePart& part, double widest);
 
 } // namespace birdstrike

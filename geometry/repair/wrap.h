@@ -7,7 +7,7 @@
 namespace birdstrike {
 
 //! Finest alpha that is tried: this share of the box's diagonal, so that a wrap takes seconds and not hours.
-constexpr double finest_wrap = 1.0 / 200;
+constexpr double finest_wrap = 1.0 / 150;
 
 //! CGAL's alpha wrap (Alliez et al. 2022, CGAL 5.5): a ball of radius alpha rolls from outside as far as it gets, and the
 //! skin stays at a distance of \p offset from the soup. Closed, oriented, free of self-intersections.
