@@ -150,7 +150,7 @@ public:
     SurfacePart head =
         sound_mesh("head", bodies.head, head_box(a, 0.3 * radius), edge(head_share * radius, fine_bill));
     SurfacePart neck = sound_mesh("neck", bodies.neck, neck_box(a, 0.3 * radius),
-                                  edge(neck_share * radius, a.neck.back().radius));
+                                  edge(neck_share * radius, 0.6 * a.neck.back().radius));
     SurfacePart torso =
         sound_mesh("torso", bodies.torso, torso_box(a, margin), edge(torso_share * radius, fine_tail));
     SurfacePart bones = sound_mesh("bones", bodies.bones, torso_box(a, 0), edge(1.2 * rib, 1.25 * rib));
