@@ -81,12 +81,6 @@ SurfacePart sound_mesh(const std::string& name, const Implicit& body, const Box&
   }
 }
 
-//! What of a body lies ahead of x, with a rim rounded by \p blend [m].
-Implicit cut_behind(Implicit body, double x, double blend)
-{
-  return [=, body = std::move(body)](const Vector3& p) { return blended_maximum(body(p), x - p.x(), blend); };
-}
-
 void stretch_across(SurfacePart& part, double factor)
 {
   for (Vector3& p : part.points) {
@@ -146,15 +140,17 @@ public:
     const double radius = radius_of(size_, shape_);
     const GooseAnatomy a = body_anatomy(size_, shape_, form_.neck, radius);
     GooseBodies bodies = make_goose_bodies(a);
-    bodies.neck = cut_behind(bodies.neck, body_frame(size_, shape_, radius).front - overlap_share * radius,
-                             0.06 * radius);
+    const HeadJoint joint = head_joint(a);
+    const double neck_from = body_frame(size_, shape_, radius).front - overlap_share * radius;
+    bodies.neck = between(bodies.neck, neck_from, joint.neck_to, 0.04 * radius);
+    bodies.head = between(bodies.head, joint.head_from, size_.length.typical, 0.04 * radius);
     const double margin = 0.4 * radius, rib = a.rib_radius;
     const double fine_tail = 1.9 * a.edge_radius,
                  fine_bill = 1.5 * std::min(1.0, a.bill_flatness) * a.bill.back().radius;
     SurfacePart head =
         sound_mesh("head", bodies.head, head_box(a, 0.3 * radius), edge(head_share * radius, fine_bill));
     SurfacePart neck = sound_mesh("neck", bodies.neck, neck_box(a, 0.3 * radius),
-                                  edge(neck_share * radius, a.neck.back().radius));
+                                  edge(neck_share * radius, 0.6 * a.neck.back().radius));
     SurfacePart torso =
         sound_mesh("torso", bodies.torso, torso_box(a, margin), edge(torso_share * radius, fine_tail));
     SurfacePart bones = sound_mesh("bones", bodies.bones, torso_box(a, 0), edge(1.2 * rib, 1.25 * rib));
@@ -170,9 +166,9 @@ public:
     }
 
     // What is still missing is the torso's; points that head or neck share with it are theirs.
-    const Box joint = neck_box(a, 0);
-    const double in_torso = common_volume(bodies.neck, bodies.torso, joint);
-    const double in_head = common_volume(bodies.neck, bodies.head, joint);
+    const Box around_neck = neck_box(a, 0);
+    const double in_torso = common_volume(bodies.neck, bodies.torso, around_neck);
+    const double in_head = common_volume(bodies.neck, bodies.head, around_neck);
     double rest = mass - wings - 700 * (signed_volume(head) + signed_volume(neck) - in_head) + 400 * in_torso;
     for (const SurfacePart& leg : legs)
       rest -= 800 * signed_volume(leg);

@@ -176,6 +176,26 @@ GooseAnatomy body_anatomy(const Biometry& size, const Proportions& shape, NeckPo
   return a;
 }
 
+HeadJoint head_joint(const GooseAnatomy& a)
+{
+  const double skull = 2 * a.skull_axes.x(), nape = a.skull_centre.x() - a.skull_axes.x();
+  const auto share_of_width =
+      [&](double width) { // of the skull's length from its rear, by half width over the largest
+        const double w = std::min(width, 1.0);
+        return 0.5 * (1 - std::sqrt(1 - w * w));
+      };
+  const double neck = a.neck.back().radius / a.skull_axes.y();
+  const double from = share_of_width(0.88 * neck), full = share_of_width(neck);
+  return {nape + from * skull, nape + std::clamp(full, from + 0.06, from + 0.10) * skull};
+}
+
+Implicit between(Implicit body, double rear, double front, double blend)
+{
+  return [=, body = std::move(body)](const Vector3& p) {
+    return blended_maximum(body(p), std::max(rear - p.x(), p.x() - front), blend);
+  };
+}
+
 Implicit stretched_across(Implicit body, double factor)
 {
   return [=, body = std::move(body)](const Vector3& p) {

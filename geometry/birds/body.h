@@ -31,6 +31,17 @@ double torso_volume(const Biometry& size, const Proportions& shape, double radiu
 //! All but the wings, whose numbers in the result mean nothing.
 GooseAnatomy body_anatomy(const Biometry& size, const Proportions& shape, NeckPose neck, double radius);
 
+//! Where head and neck are cut across, so that they share a thin slice only [m]. The skull starts where it has
+//! nearly the neck's width; the neck ends a little ahead of that.
+struct HeadJoint
+{
+  double head_from, neck_to; //!< x
+};
+HeadJoint head_joint(const GooseAnatomy& a);
+
+//! What of a body lies between two places along the bird, with rims rounded by \p blend [m].
+Implicit between(Implicit body, double rear, double front, double blend);
+
 //! A body squeezed or stretched across the flight direction: y and z times \p factor (near 1).
 Implicit stretched_across(Implicit body, double factor);
 

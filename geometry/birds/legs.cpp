@@ -14,7 +14,7 @@ SurfacePart left_leg(const Biometry& size, const Proportions& shape, const BodyF
   // Everything but the tarsus' length is chosen.
   const double tarsus = size.tarsus.typical, bone = 0.062 * tarsus, y = 0.42 * f.half_width;
   const double belly = middle - f.half_height;
-  const Vector3 hip(-0.10 * f.core, y, belly + 0.55 * f.half_height);
+  const Vector3 hip(-0.10 * f.core, y, belly + 0.30 * f.half_height);
   const Vector3 ankle(-0.34 * f.core, y, belly - 0.05 * f.half_height);
   const Vector3 back = Vector3(-1, 0, 0.06).normalized(), foot = ankle + tarsus * back;
   const double thigh = std::max(0.16 * f.radius, 1.4 * bone);

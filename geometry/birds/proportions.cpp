@@ -82,10 +82,10 @@ std::vector<Proportions> make_table()
   gull.tail = 0.235;
   gull.skull = 0.115;
   gull.tail_half_thickness = 0.0068;
-  gull.tail_rows = {{0, 0.060}, {0.05, 0.070}, {0.3, 0.068}, {0.65, 0.058}};
+  gull.tail_rows = {{0, 0.076}, {0.05, 0.088}, {0.3, 0.083}, {0.65, 0.064}};
   gull.flatness = 1.08;
-  gull.neck_base = 0.68;
-  gull.neck_top = 0.98;
+  gull.neck_base = 0.62;
+  gull.neck_top = 0.94;
   gull.skull_half_width = 0.37;
   gull.skull_half_height = 0.41;
   gull.bill_base = 0.13;
