@@ -87,8 +87,8 @@ TEST_CASE("doubled faces and inner walls do not reach CGAL", "[geometry][check]"
   const SurfacePart sheet{"sheet", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}};
   CHECK_FALSE(check_surface(sheet).oriented);
   CHECK_THAT(complaint(sheet), Contains("flat"));
-  CHECK_THAT(complaint({"nothing", {}, {}}), Contains("no triangles"));
-  CHECK_THAT(complaint({"broken", {{0, 0, 0}}, {{0, 1, 2}}}), Contains("not there"));
+  CHECK_THAT(complaint(SurfacePart{"nothing", {}, {}}), Contains("no triangles"));
+  CHECK_THAT(complaint(SurfacePart{"broken", {{0, 0, 0}}, {{0, 1, 2}}}), Contains("not there"));
 }
 
 TEST_CASE("solids that cut each other in one part are found", "[geometry][check]")

@@ -14,7 +14,7 @@ TEST_CASE("object names find their part", "[geometry][names]")
       {"wing_left", "wings"}, {"Wing.R", "wings"},   {"LeftWing", "wings"},  {"body_wing", "wings"},
       {"bones", "bones"},     {"spine", "bones"},    {"keel", "bones"},      {"rib_3", "bones"},
       {"LeftRib", "bones"},   {"Ribs", "bones"},     {"sternum", "bones"},   {"skeleton", "bones"},
-      {"wing_bone", "bones"}, {"leg_left", "bones"}, {"lungs", "lungs"},     {"lung.L", "lungs"},
+      {"wing_bone", "bones"}, {"leg_left", "legs"}, {"lungs", "lungs"},     {"lung.L", "lungs"},
       {"goose rib", "bones"}};
   for (const auto& [object, part] : known) {
     CAPTURE(object);

@@ -7,6 +7,7 @@
 #include "geometry/check.h"
 #include "geometry/fill.h"
 #include "geometry/inside.h"
+#include "geometry/part_of_object.h"
 #include "temporary_folder.h"
 
 #include <algorithm>
