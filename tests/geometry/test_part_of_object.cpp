@@ -9,11 +9,11 @@ using Catch::Contains;
 TEST_CASE("object names find their part", "[geometry][names]")
 {
   const std::pair<const char*, const char*> known[] = {
-      {"head", "head"},       {"Beak", "head"},      {"bill_upper", "head"}, {"SKULL.001", "head"},
-      {"neck", "neck"},       {"torso", "torso"},    {"Body", "torso"},      {"trunk-2", "torso"},
-      {"wing_left", "wings"}, {"Wing.R", "wings"},   {"LeftWing", "wings"},  {"body_wing", "wings"},
-      {"bones", "bones"},     {"spine", "bones"},    {"keel", "bones"},      {"rib_3", "bones"},
-      {"LeftRib", "bones"},   {"Ribs", "bones"},     {"sternum", "bones"},   {"skeleton", "bones"},
+      {"head", "head"},       {"Beak", "head"},     {"bill_upper", "head"}, {"SKULL.001", "head"},
+      {"neck", "neck"},       {"torso", "torso"},   {"Body", "torso"},      {"trunk-2", "torso"},
+      {"wing_left", "wings"}, {"Wing.R", "wings"},  {"LeftWing", "wings"},  {"body_wing", "wings"},
+      {"bones", "bones"},     {"spine", "bones"},   {"keel", "bones"},      {"rib_3", "bones"},
+      {"LeftRib", "bones"},   {"Ribs", "bones"},    {"sternum", "bones"},   {"skeleton", "bones"},
       {"wing_bone", "bones"}, {"leg_left", "legs"}, {"lungs", "lungs"},     {"lung.L", "lungs"},
       {"goose rib", "bones"}};
   for (const auto& [object, part] : known) {

@@ -6,8 +6,10 @@
 #include "geometry/birds/biometry.h"
 #include "geometry/check.h"
 #include "geometry/fill.h"
+#include "geometry/import/read_mesh.h"
 #include "geometry/inside.h"
 #include "geometry/part_of_object.h"
+#include "geometry/write_surface.h"
 #include "temporary_folder.h"
 
 #include <algorithm>
@@ -135,7 +137,8 @@ TEST_CASE("a herring gull with its neck drawn in, wings half folded and legs", "
   check_bird(coarse("herring-gull", NeckPose::drawn_in, WingPose::half_folded, true));
 }
 
-TEST_CASE("particles of a starling with folded wings have the mass that is wanted", "[geometry][species]")
+TEST_CASE("a starling with folded wings fills to the wanted mass, and comes back from a CAD file",
+          "[geometry][species]")
 {
   const SurfaceMesh bird = make_bird(coarse("starling", NeckPose::drawn_in, WingPose::folded, false));
   check_solids(bird, false);
@@ -149,6 +152,16 @@ TEST_CASE("particles of a starling with folded wings have the mass that is wante
   for (const FilledPart& p : fill.parts)
     mass += double(p.particles) * std::pow(spacing, 3) * nominal_density(p.name);
   CHECK(mass == Approx(0.0823).epsilon(0.03));
+
+  const test::TemporaryFolder folder;
+  write_surface(bird, folder / "starling.glb");
+  const SurfaceMesh back = read_mesh(folder / "starling.glb");
+  check_solids(back, false);
+  for (const SurfacePart& p : bird) {
+    CAPTURE(p.name);
+    CHECK(volume(back, p.name) == Approx(signed_volume(p)).epsilon(1e-4));
+    CHECK((volume_centre(part(back, p.name)) - volume_centre(p)).norm() < 1e-6);
+  }
 }
 
 TEST_CASE("every species in every pose is sound and as published", "[geometry][species][long]")
