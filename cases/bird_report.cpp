@@ -64,12 +64,12 @@ void say_weight(const BuiltBird& bird, const Case& parsed, Log& log)
   if (wish.exact == "particle-mass")
     log.info(fmt::format(
         "mass factor {:.4f}: every particle is {:.1f} % {} than its volume of its material, so that the "
-        "bird weighs {} kg; the laws keep their densities",
+        "bird weighs {:.6g} kg; the laws keep their densities",
         bird.mass_factor, std::abs(off), off < 0 ? "lighter" : "heavier", wish.mass));
   else
     log.info(fmt::format(
         "density factor {:.4f}: all parts are {:.1f} % {} than their materials say, so that the bird "
-        "weighs {} kg",
+        "weighs {:.6g} kg",
         bird.density_factor, std::abs(off), off < 0 ? "lighter" : "denser", wish.mass));
   if (std::abs(off) <= 100 * fair_factor)
     return;
@@ -77,7 +77,7 @@ void say_weight(const BuiltBird& bird, const Case& parsed, Log& log)
     log.warn("the particles are too coarse for this shape; refine bird.spacing");
   else
     log.warn(fmt::format(
-        "at the densities of its materials this bird would weigh {:.3f} kg, not {} kg; scale the mesh "
+        "at the densities of its materials this bird would weigh {:.3f} kg, not {:.6g} kg; scale the mesh "
         "(bird.mesh_unit) by {:.3f} or change porosities or laws to let them agree",
         wish.mass / (bird.density_factor * bird.mass_factor), wish.mass,
         std::cbrt(bird.density_factor * bird.mass_factor)));

@@ -191,7 +191,7 @@ Solids::Shares Solids::shares(const std::vector<std::string>& part_of, double st
         if (other_part)
           result.overlaps.push_back({name_a, name_b, shared, share});
       }
-      if (gap > telling_gap * volume[a] && other_part && share < 1 - touching)
+      if (gap > telling_gap * volume[a] && other_part && share < touching)
         result.gaps.push_back({name_a, name_b, gap, gap / volume[a]});
     }
   result.exact = clean;

@@ -53,8 +53,9 @@ public:
     std::vector<Moments> of;       //!< one an object
     bool exact = false;            //!< from the polyhedra themselves; otherwise from lines \p step apart
     std::vector<Meeting> overlaps; //!< by more than a thousandth of the smaller one
-    std::vector<Meeting> gaps;     //!< between objects of different parts, narrower than \p narrow
-    std::vector<double> doubled;   //!< volume that each object's surface winds around more than once [m3]
+    std::vector<Meeting>
+        gaps; //!< between objects of different parts, narrower than \p narrow, that touch nowhere
+    std::vector<double> doubled; //!< volume that each object's surface winds around more than once [m3]
   };
   //! \param part_of  of each object: gaps and overlaps within one part do not count
   //! \param step     between the lines [m]

@@ -5,11 +5,18 @@
 #include "vtkio/text_style.h"
 #include "vtkio/write_png.h"
 
+#include <vtkFieldData.h>
 #include <vtkImageData.h>
+#include <vtkPointData.h>
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
 #include <memory>
 
 namespace birdstrike {
@@ -94,10 +101,12 @@ void write_bird_picture(vtkUnstructuredGrid& bird, const std::string& title, con
     options.view = panels[k].view;
     options.cut = panels[k].cut;
     scenes.push_back(std::make_unique<Scene>(options, bounds, canvas.width, canvas.height));
-    scenes.back()->show(frame, ranges_of({frame}, options));
+    scenes.back()->show(panels[k].cut ? opened : frame, ranges_of({frame}, options));
     page.place(*scenes.back(), canvas);
-    page.ground().AddActor2D(make_text(panels[k].caption, x + 0.6 * font, y + panel_height - caption / 2,
-                                       font, Anchor::left, ink));
+    const std::string text = panels[k].cut ? fmt::format("cut {:.0f} mm from the middle", 1e3 * std::abs(cut))
+                                           : std::string(panels[k].caption);
+    page.ground().AddActor2D(
+        make_text(text, x + 0.6 * font, y + panel_height - caption / 2, font, Anchor::left, ink));
   }
   page.ground().AddActor2D(make_text(title, 0.6 * font, height - heading / 2, font, Anchor::left, ink));
   add_part_legend(page.ground(), {0.02 * width, 0.2 * font, 0.96 * width, legend - 0.4 * font},

@@ -9,8 +9,8 @@
 
 namespace birdstrike {
 
-//! Draw particles, coloured by part, from the side, from above, from the front, and cut along the middle plane, so that bones
-//! and lungs are seen, with one legend below; each panel is 800 x 450 pixels.
+//! Draw particles, coloured by part, from the side, from above, from the front, and cut upright along the flight where
+//! most parts are met, so that bones and lungs are seen, with one legend below; each panel is 800 x 450 pixels.
 //! \param bird   as particles_to_vtk makes it
 //! \param title  top left
 //! \throw OutputError naming the file if it cannot be written, or if there is no OpenGL
