@@ -54,7 +54,7 @@ const Condition by_spacing{"a bird without bird.particles",
                            [](const Case& c) { return c.bird.particles == 0; }};
 const Condition by_number{"a bird that is no column, without bird.spacing",
                           [](const Case& c) { return c.bird.particles != 0 && !is_column(c); }};
-const Condition weighed{"a bird that is no column and whose exact is not \"density\"",
+const Condition weighed{"a bird that is not a column and whose exact is not \"density\"",
                         [](const Case& c) { return !is_column(c) && c.bird.exact != "density"; }};
 const Condition other_than_mesh{"a bird.shape or bird.species", [](const Case& c) {
                                   return !c.bird.shape.empty() || !c.bird.species.empty();

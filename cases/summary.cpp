@@ -156,10 +156,12 @@ std::string summary_json(const Simulation& run, const RunFacts& facts)
   json["updates_per_second"] = updates_per_second(run);
   json["bird"] = {
       {"mass", ledger.mass}, {"momentum", momentum}, {"final_momentum", ledger.momentum.dot(along)}};
-  if (!facts.bird.empty())
-    for (const auto& [key, value] : nlohmann::ordered_json::parse(facts.bird).items())
+  if (!facts.bird.empty()) {
+    const auto bird = nlohmann::ordered_json::parse(facts.bird);
+    for (const auto& [key, value] : bird.items())
       if (!json["bird"].contains(key))
         json["bird"][key] = value;
+  }
   json["density_factor"] = facts.density_factor;
   json["impulse"] = impulse;
   json["impulse_over_momentum"] = momentum > 0 ? impulse / momentum : 0;

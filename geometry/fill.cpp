@@ -24,10 +24,14 @@ constexpr double bytes_per_particle = 600; // state, neighbour list and output o
 constexpr double memory_share = 0.8;       // of the machine's memory that a run may take
 constexpr double snap_share = 0.05;        // of the spacing: a box this near to y = 0 is taken as symmetric
 constexpr double widest_gap = 1.5;         // spacings between parts that were meant to touch
-constexpr double most_lines = 1500;        // across the longest side, to measure what the parts have
-constexpr int tries_for_count = 12;        // spacings tried to meet a number of particles
-constexpr std::size_t most_parts = 255;    // parts are bytes
-constexpr int along = 1;                   // rows of the lattice run along y, within layers across x
+constexpr double fewest_lines = 400,
+                 most_lines = 1500;   // across the longest side, to measure what the parts have
+constexpr double good_volume = 0.005; // error of the whole bird's volume; a worse one is worth other places
+constexpr int places = 8; // of a lattice that stay symmetric: half a cell off or not, along x, y and z
+constexpr int tries_for_count = 8;       // spacings tried to meet a number of particles
+constexpr double step_for_count = 0.004; // between them
+constexpr std::size_t most_parts = 255;  // parts are bytes
+constexpr int along = 1;                 // rows of the lattice run along y, within layers across x
 
 struct Named
 {
@@ -47,12 +51,13 @@ struct Axis
 {
   double step, centre;
   long count;
-  Axis(double lower, double upper, double step, bool may_snap = false)
+  //! \param aside  half a cell off
+  Axis(double lower, double upper, double step, bool aside, bool may_snap = false)
       : step(step), centre(0.5 * (lower + upper))
   {
     if (may_snap && std::abs(centre) < snap_share * step)
       centre = 0;
-    count = std::max(1l, std::lround((upper - lower) / step));
+    count = std::max(1l, std::lround((upper - lower) / step)) + aside;
   }
   double at(long i, double shift) const // exactly symmetric without a shift
   {
@@ -70,13 +75,13 @@ class LatticeFill
 {
 public:
   LatticeFill(const Solids& solids, const std::vector<std::uint8_t>& part_of, const Lattice& lattice,
-              double spacing)
+              double spacing, int place)
       : solids_(solids),
         part_of_(part_of),
         lattice_(lattice),
-        x_(solids.box().lower.x(), solids.box().upper.x(), spacing * lattice.layer),
-        y_(solids.box().lower.y(), solids.box().upper.y(), spacing * lattice.side, true),
-        z_(solids.box().lower.z(), solids.box().upper.z(), spacing * lattice.side)
+        x_(solids.box().lower.x(), solids.box().upper.x(), spacing * lattice.layer, place & 1),
+        y_(solids.box().lower.y(), solids.box().upper.y(), spacing * lattice.side, place & 2, true),
+        z_(solids.box().lower.z(), solids.box().upper.z(), spacing * lattice.side, place & 4)
   {
   }
 
@@ -145,23 +150,35 @@ private:
   Axis x_, y_, z_;
 };
 
-//! Spacing that gives the number of particles wanted as nearly as whole cells can.
-double spacing_for(std::size_t wanted, double volume, const std::function<std::size_t(double)>& count)
+//! A spacing and a place of the lattice.
+struct Layout
 {
-  double best = std::cbrt(volume / double(wanted)), spacing = best;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < tries_for_count; ++i) {
-    const auto found = double(std::max<std::size_t>(1, count(spacing)));
-    const double off = std::abs(found - double(wanted));
-    if (off < nearest) {
-      nearest = off;
-      best = spacing;
-    }
-    if (off == 0)
-      break;
-    spacing *= std::cbrt(found / double(wanted));
-    if (i % 3 == 2) // the count jumps where rows enter: look beside the best so far
-      spacing = best * (1 + 1e-3 * (i % 2 ? 1 : -1) * double(i));
+  double spacing;
+  int place;
+  double off; //!< share by which the number of particles misses the wish
+};
+
+//! The place of the lattice at which the number of particles comes nearest to the wish.
+Layout best_place(double spacing, double wanted, const std::function<std::size_t(double, int)>& count)
+{
+  Layout best{spacing, 0, std::numeric_limits<double>::infinity()};
+  for (int place = 0; place < places && best.off > good_volume; ++place) {
+    const double off = std::abs(double(count(spacing, place)) / wanted - 1);
+    if (off < best.off)
+      best = {spacing, place, off};
+  }
+  return best;
+}
+
+//! The layout that gives the number of particles wanted as nearly as whole cells can.
+Layout layout_for(std::size_t wanted, double volume, const std::function<std::size_t(double, int)>& count)
+{
+  const double exact = std::cbrt(volume / double(wanted));
+  Layout best = best_place(exact, double(wanted), count);
+  for (int i = 1; i <= tries_for_count && best.off > good_volume; ++i) {
+    const double spacing = exact * (1 + (i % 2 ? 1 : -1) * ((i + 1) / 2) * step_for_count);
+    if (const Layout next = best_place(spacing, double(wanted), count); next.off < best.off)
+      best = next;
   }
   return best;
 }
@@ -261,7 +278,7 @@ Fill fill_mesh(const SurfaceMesh& mesh, const std::vector<std::string>& part_of,
   const double first_spacing = by_count ? std::cbrt(whole / double(options.particles)) : options.spacing;
   require_memory(whole, length, first_spacing);
 
-  const double step = std::max(0.5 * first_spacing, length / most_lines);
+  const double step = std::max(std::min(0.5 * first_spacing, length / fewest_lines), length / most_lines);
   const Solids::Shares shares = solids.shares(part_of, step, widest_gap * first_spacing);
   fill.overlaps = shares.overlaps;
   fill.gaps = shares.gaps;
@@ -275,12 +292,20 @@ Fill fill_mesh(const SurfaceMesh& mesh, const std::vector<std::string>& part_of,
   for (FilledPart& part : fill.parts)
     part.mesh_volume = part.body.amount;
 
-  const auto lattice = [&](double spacing) { return LatticeFill(solids, part_row, fill.lattice, spacing); };
-  fill.spacing = !by_count       ? options.spacing
-                 : options.relax ? std::cbrt(volume / double(options.particles))
-                                 : spacing_for(options.particles, volume,
-                                               [&](double spacing) { return lattice(spacing).count(); });
-  fill.seeds = lattice(fill.spacing).seeds();
+  const auto lattice = [&](double spacing, int place) {
+    return LatticeFill(solids, part_row, fill.lattice, spacing, place);
+  };
+  const auto count = [&](double spacing, int place) { return lattice(spacing, place).count(); };
+  const auto choose = [&]() -> Layout {
+    if (by_count)
+      return options.relax ? Layout{std::cbrt(volume / double(options.particles)), 0, 0}
+                           : layout_for(options.particles, volume, count);
+    return options.best_place ? best_place(options.spacing, volume / std::pow(options.spacing, 3), count)
+                              : Layout{options.spacing, 0, 0};
+  };
+  const Layout layout = choose();
+  fill.spacing = layout.spacing;
+  fill.seeds = lattice(layout.spacing, layout.place).seeds();
   for (FilledPart& part : fill.parts)
     part.particle_volume = std::pow(fill.spacing, 3);
   if (options.relax)

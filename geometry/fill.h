@@ -39,8 +39,10 @@ struct FillOptions
   double spacing = 0;            //!< cube root of a particle's volume [m]; 0: by \p particles
   std::size_t particles = 0;     //!< wanted number of particles; 0: by \p spacing
   std::string lattice = "cubic"; //!< of lattice_names()
-  bool relax = false;            //!< let the particles settle against the surfaces of their parts
-  double smoothing = 1.28;       //!< h over spacing, for which they are relaxed [-]
+  bool best_place =
+      true; //!< of eight places of the lattice take the first whose volume is within 0.5 %, or the best
+  bool relax = false;      //!< let the particles settle against the surfaces of their parts
+  double smoothing = 1.28; //!< h over spacing, for which they are relaxed [-]
 };
 
 //! "cubic", "fcc" (close-packed), "leaning" (see leaning_lattice).

@@ -64,7 +64,12 @@ public:
   {
     if (!nose_ || !up_) {
       if (!find_left()) {
-        keep_file_axes();
+        keep_file_axes("the bird has no mirror plane to find its axes by");
+        return std::move(found_);
+      }
+      if (several_planes_ && !nose_ && !up_ && !file_up_ && !evidence_.left && !evidence_.nose) {
+        keep_file_axes("the mesh is its own mirror image in several planes and nothing in it is named head, "
+                       "neck or wing");
         return std::move(found_);
       }
       find_lines();
@@ -108,6 +113,7 @@ private:
                                           [&](int l, int r) { return claim(frame, l) < claim(frame, r); });
       frame_ = frame;
       left_ = best;
+      several_planes_ = fitting.size() > 1;
       because("mirror plane across " + text_of(frame.col(best)) +
               (fitting.size() > 1 && !evidence_.left ? ", the widest of several" : ""));
       return true;
@@ -208,7 +214,7 @@ private:
           text_of(*up_) + " in the file is taken as up; look at a picture, or give up");
   }
 
-  void keep_file_axes()
+  void keep_file_axes(const std::string& reason)
   {
     if (nose_ || up_) { // half of it is given: the other half is the file's own, as near as may be
       const Vector3 given = nose_ ? *nose_ : *up_;
@@ -226,12 +232,12 @@ private:
         found_.turn << nose.transpose(), file_up_->cross(nose).transpose(), file_up_->transpose();
       }
     }
-    found_.warnings.push_back("the bird has no mirror plane to find its axes by: the nose is taken as " +
-                              text_of(found_.turn.row(0).transpose()) + ", up as " +
-                              text_of(found_.turn.row(2).transpose()) +
+    found_.warnings.push_back(reason + ": the nose is taken as " + text_of(found_.turn.row(0).transpose()) +
+                              ", up as " + text_of(found_.turn.row(2).transpose()) +
                               " in the file; look at a picture, or give nose and up");
   }
 
+  bool several_planes_ = false;
   SurfaceSamples samples_;
   AxisEvidence evidence_;
   std::optional<Vector3> nose_, up_, file_up_;

@@ -27,7 +27,8 @@ struct FoundAxes
 //! the surface is its own mirror image; left and right in the objects' names tell it from others, else the widest
 //! direction is across. The nose is where the objects named head, beak, bill, skull or neck lie, away from a tail, else
 //! at the much narrower end. Up is what the format says, else by left and right, legs below, wings above the middle.
-//! What has no evidence stays as in the file, with a warning; so does all where no plane fits.
+//! What has no evidence stays as in the file, with a warning; so does all where no plane fits, or
+//! several do and no name tells them apart.
 //! \throw InputError if a given axis is no direction, or nose and up are not perpendicular
 FoundAxes find_axes(const SurfaceMesh& parts, const KnownAxes& known);
 

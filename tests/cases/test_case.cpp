@@ -182,7 +182,8 @@ TEST_CASE("what is wrong in a case is named with file, line and key", "[cases][c
   CHECK(complaint(replaced(box_case, "torso = { porosity = 0.4 }", ""))
             .starts_with("case.toml: bird.parts is missing"));
   CHECK(complaint(replaced(box_case, "mass = \"1.2 kg\"", "")) ==
-        "case.toml: bird.mass is missing: a mass is needed (mass of the whole bird, met exactly)");
+        "case.toml: bird.mass is missing: a mass is needed (mass of the whole bird, or the name of a rule "
+        "that fixes it, such as \"14 CFR 25.631\"; met exactly)");
   CHECK(complaint(replaced(box_case, "frames = 4", "frames = 4.5")) ==
         "case.toml:13: run.frames = 4.5: an integer is needed");
   CHECK(complaint(replaced(box_case, "frames = 4", "frames = 0")) ==

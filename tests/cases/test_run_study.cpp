@@ -174,8 +174,8 @@ TEST_CASE("figures are drawn again without running", "[cases][study][run]")
 TEST_CASE("a run that fails is listed and does not stop the others", "[cases][study][run][errors]")
 {
   // The open box is found out when its run begins.
-  const Project project(
-      with(scratch::box_study, "{ label = \"hard\", ", "{ label = \"open\", bird.mesh = \"open.obj\", "));
+  const Project project(with(scratch::box_study, "{ label = \"hard\", ",
+                             "{ label = \"open\", bird.strict = true, bird.mesh = \"open.obj\", "));
   project.folder.write("open.obj", scratch::box("torso", 0.1, 0.05, 0.05, 5));
   const Outcome outcome = project.run();
   INFO(outcome.output);

@@ -97,32 +97,45 @@ TEST_CASE("moments of meshes are those of the smooth bodies, to the facets", "[g
   CHECK(box.inertia()(2, 2) == Approx(6 * (1 + 4) / 12.0));
 }
 
-// A lattice meets a smooth body's volume with an error that shrinks at least like the 3/2 power of the spacing (the cells at
-// the surface, a share s/R of all, err at random: s/R over the root of their number R^2/s^2 would be the square). Over a
-// factor of 4 in spacing that is a factor of 8; half of that leaves room for the luck of single lattices.
+// Cells at a curved surface, a share s/R of all, miss it at random: the errors fall like s/R over the root of their number,
+// R^2/s^2, thus like the square of the spacing; symmetric bodies on a symmetric lattice lose up to a half power of it.
+// Flat ends across the lattice are met to half a layer, an error of first order. Single lattices have luck, so that
+// sixteen sizes of each body are looked at. Of eight places of the lattice the first within 0.5 % is taken where wanted.
 TEST_CASE("particles of a lattice come to the volume, centre and inertia of the body as the spacing falls",
           "[geometry][moments][analytic]")
 {
+  const Vector3 centre(0.012, -0.0034, 0.0056);
   for (const char* lattice : {"cubic", "fcc"})
     for (const Body& body : bodies()) {
-      double volume_error[3], inertia_error[3], off_centre[3];
-      const double spacings[] = {0.008, 0.004, 0.002};
+      const bool flat_ends = std::string(body.name) == "cylinder";
+      double volume_error[3], inertia_error[3];
+      const double spacings[] = {0.010, 0.005, 0.0025};
       for (int k = 0; k < 3; ++k) {
-        const Fill fill = fill_mesh({body.surface}, {"torso"}, {.spacing = spacings[k], .lattice = lattice});
-        const Moments m = of_particles(fill);
-        volume_error[k] = std::abs(m.amount / body.volume - 1);
-        off_centre[k] = (m.centre() - Vector3(0.012, -0.0034, 0.0056)).norm();
-        inertia_error[k] = 0;
-        for (int i = 0; i < 3; ++i)
-          inertia_error[k] = std::max(inertia_error[k], std::abs(m.inertia()(i, i) / body.inertia[i] - 1));
+        double volume = 0, inertia = 0;
+        for (int size = 0; size < 16; ++size) {
+          const double scale = 1 + 0.0137 * size;
+          SurfacePart scaled = body.surface;
+          for (Vector3& p : scaled.points)
+            p = centre + scale * (p - centre);
+          const Fill fill = fill_mesh({scaled}, {"torso"},
+                                      {.spacing = spacings[k], .lattice = lattice, .best_place = false});
+          const Moments m = of_particles(fill);
+          volume += std::pow(m.amount / (body.volume * std::pow(scale, 3)) - 1, 2) / 16;
+          for (int i = 0; i < 3; ++i)
+            inertia += std::pow(m.inertia()(i, i) / (body.inertia[i] * std::pow(scale, 5)) - 1, 2) / 48;
+          CHECK((m.centre() - centre).norm() <
+                0.2 * spacings[k]); // fcc layers alternate, not symmetric fore and aft
+        }
+        volume_error[k] = std::sqrt(volume);
+        inertia_error[k] = std::sqrt(inertia);
       }
       CAPTURE(lattice, body.name, volume_error[0], volume_error[1], volume_error[2], inertia_error[0],
-              inertia_error[1], inertia_error[2], off_centre[0], off_centre[1], off_centre[2]);
-      CHECK(volume_error[2] < 0.004);
-      CHECK(inertia_error[2] < 0.01);
-      CHECK(volume_error[2] < std::max(0.25 * volume_error[0], 1e-3));
-      CHECK(inertia_error[2] < std::max(0.25 * inertia_error[0], 2e-3));
-      CHECK(off_centre[2] < 0.1 * spacings[2]);
+              inertia_error[1], inertia_error[2]);
+      const double order = flat_ends ? 0.9 : 1.4;
+      CHECK(std::log(volume_error[0] / volume_error[2]) / std::log(4) > order);
+      CHECK(std::log(inertia_error[0] / inertia_error[2]) / std::log(4) > order);
+      const Fill best = fill_mesh({body.surface}, {"torso"}, {.spacing = 0.005, .lattice = lattice});
+      CHECK(of_particles(best).amount == Approx(body.volume).epsilon(flat_ends ? 0.02 : 0.006));
     }
 }
 
