@@ -104,7 +104,9 @@ std::size_t split_sides(SurfacePart& part, double tolerance, double finest, doub
       of_triangle[j.triangle].push_back(j);
   }
   std::size_t splits = 0;
-  for (const auto& [row, junctions] : of_triangle) {
+  for (const auto& entry : of_triangle) {
+    const auto row = entry.first; // clang 14 cannot capture structured bindings
+    const auto& junctions = entry.second;
     const auto t = part.triangles[row];
     // One side at a time; the others are still open in the next round.
     const int side = junctions.front().side, a = t[side], b = t[(side + 1) % 3], c = t[(side + 2) % 3];

@@ -752,8 +752,10 @@ void numbers(std::vector<DirtyMesh>& list)
 
   Random random;
   part = ball();
-  for (Vector3& p : part.points)
-    p += 0.03 * Vector3(random() - 0.5, random() - 0.5, random() - 0.5);
+  for (Vector3& p : part.points) { // one by one: compilers differ in the order of arguments
+    const double z = random() - 0.5, y = random() - 0.5, x = random() - 0.5;
+    p += 0.03 * Vector3(x, y, z);
+  }
   list.push_back({"spiky-noise",
                   "A scan with noise as large as its faces.",
                   part,
