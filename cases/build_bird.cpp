@@ -54,9 +54,9 @@ void aim_at_centre(std::vector<Seed>& seeds, const std::vector<Part>& parts, con
   Vector3 moment = Vector3::Zero();
   double weight = 0;
   for (const Seed& seed : seeds) {
-    const double density = reference_density(parts[seed.part].eos);
-    moment += density * seed.position;
-    weight += density;
+    const double mass = reference_density(parts[seed.part].eos) * parts[seed.part].particle_volume;
+    moment += mass * seed.position;
+    weight += mass;
   }
   const Vector3 centre = moment / weight;
   const double way = -centre.x() / direction.x(); // of the centre to the plate
@@ -134,8 +134,11 @@ BuiltBird finish_bird(const Case& parsed, const std::vector<PartCase>& part_case
   for (const FilledPart& part : fill.parts) {
     const PartCase& given = part_case(part_cases, part.name);
     const EquationOfState& law = laws[parts.size()];
-    parts.push_back({part.name, rescaled(law, bird.density_factor * reference_density(law)),
-                     porosity_of(parsed, given), part.mesh_volume});
+    parts.push_back({.name = part.name,
+                     .eos = rescaled(law, bird.density_factor * reference_density(law)),
+                     .porosity = porosity_of(parsed, given),
+                     .particle_volume = part.particle_volume,
+                     .mesh_volume = part.mesh_volume});
   }
   bird.parts = weigh(fill, parts, bird.mass_factor);
   bird.overlaps = fill.overlaps;
@@ -152,14 +155,10 @@ BuiltBird finish_bird(const Case& parsed, const std::vector<PartCase>& part_case
   aim_at_centre(seeds, parts, direction);
   for (Seed& seed : seeds)
     seed.position += Vector3(0, wish.offset[0], wish.offset[1]);
-  Lattice lattice = fill.lattice;
-  if (bird.mass_factor != 1) // what particles count stays that of their places
-    lattice.counted = bird.mass_factor * lattice_sum(wish.smoothing, lattice);
   bird.particles =
-      make_particles(parts, seeds, fill.spacing, wish.velocity * direction, wish.smoothing, lattice);
-  const double cell = fill.spacing * fill.spacing * fill.spacing;
-  for (std::size_t i = 0; i < seeds.size(); ++i)
-    bird.particles.mass[i] *= bird.mass_factor * fill.parts[seeds[i].part].particle_volume / cell;
+      make_particles(parts, seeds, fill.spacing, wish.velocity * direction, wish.smoothing, fill.lattice);
+  for (double& mass : bird.particles.mass)
+    mass *= bird.mass_factor;
   if (weighed)
     fix_mass(bird.particles, wish.mass);
 
@@ -186,7 +185,7 @@ BuiltBird build_bird(const Case& parsed, const BirdMesh& mesh, Log& log)
   const BirdCase& wish = parsed.bird;
   const std::string file = parsed.file.empty() ? mesh.name : parsed.file.string();
   const std::vector<PartCase> parts =
-      wish.species.empty() && !parsed.file.empty() ? wish.parts : usual_parts(mesh, wish.parts);
+      wish.species.empty() && !parsed.alone ? wish.parts : usual_parts(mesh, wish.parts);
   match_parts(parts, mesh, file);
   SurfaceMesh turned = mesh.objects;
   rotate(turned, {.yaw = wish.yaw, .pitch = wish.pitch, .roll = wish.roll});

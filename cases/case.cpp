@@ -124,6 +124,8 @@ private:
     if (!value)
       fail(kind_of(key_) + " is needed");
     check_range(static_cast<double>(*value));
+    if (*value != static_cast<int>(*value))
+      fail(fmt::format("allowed is at most {} in size", std::numeric_limits<int>::max()));
     return static_cast<int>(*value);
   }
 
@@ -203,9 +205,9 @@ std::string place_of(const std::map<std::string, std::string>& places, const std
 
 //! Names of laws exist and are nobody else's, and every part has the porosity that its law needs.
 //! \param places  of the keys that were given
-void check_part_laws(const Case& parsed, const std::map<std::string, std::string>& places)
+void check_part_laws(const Case& parsed, const std::map<std::string, std::string>& places,
+                     const std::string& file)
 {
-  const std::string file = parsed.file.string();
   const Key& eos = *find_key({"bird", "parts", "*", "eos"});
   const Key& porosity = *find_key({"bird", "parts", "*", "porosity"});
   const std::vector<std::string> porous = eos.choices();
@@ -361,7 +363,36 @@ Given assign(const std::vector<Entry>& entries, Case& parsed)
   return result;
 }
 
+//! An override of one of these takes the place of the other.
+constexpr std::pair<const char*, const char*> rivals[] = {{"spacing", "particles"}, {"mesh", "species"}};
+
+void override_all(std::vector<Entry>& entries, const std::vector<Entry>& overrides)
+{
+  for (const Entry& entry : overrides) {
+    for (const auto& [one, other] : rivals)
+      for (const auto& [given, gone] : {std::pair{one, other}, {other, one}})
+        if (entry.path == std::vector<std::string>{"bird", given})
+          std::erase_if(entries, [&, gone = std::string(gone)](const Entry& e) {
+            return e.path == std::vector<std::string>{"bird", gone} &&
+                   !std::any_of(overrides.begin(), overrides.end(),
+                                [&](const Entry& o) { return o.path == e.path; });
+          });
+    apply_override(entries, entry);
+  }
+}
+
 } // namespace
+
+std::optional<double> usual_porosity(std::string_view part)
+{
+  static constexpr std::pair<std::string_view, double> usual[] = {
+      {"head", 0.3},  {"neck", 0.3},  {"torso", 0.6}, {"wings", 0.7},
+      {"bones", 0.2}, {"lungs", 0.8}, {"legs", 0.2}};
+  for (const auto& [name, porosity] : usual)
+    if (name == part)
+      return porosity;
+  return std::nullopt;
+}
 
 std::vector<std::string> exact_names() { return {"mass", "density", "particle-mass"}; }
 
@@ -379,8 +410,7 @@ Case read_case_with(const std::filesystem::path& file, const std::vector<Entry>&
   if (is_study(entries))
     throw InputError(
         fmt::format("{0}: this is a study, a set of runs: `birdstrike study {0}` runs it", file.string()));
-  for (const Entry& entry : overrides)
-    apply_override(entries, entry);
+  override_all(entries, overrides);
 
   Case parsed;
   parsed.file = file;
@@ -388,7 +418,7 @@ Case read_case_with(const std::filesystem::path& file, const std::vector<Entry>&
   require_keys(parsed, given, file.string(), "");
   check_bird(parsed, given, file.string());
   refuse_idle_keys(parsed, entries);
-  check_part_laws(parsed, places);
+  check_part_laws(parsed, places, file.string());
   // Each kind of viscosity has its own constants, where the case gives none.
   const Viscosity usual = usual_viscosity(parsed.run.viscosity.kind);
   if (!given.contains("run.viscosity_linear"))
@@ -423,7 +453,15 @@ Case bird_alone(const std::vector<Entry>& entries, const std::string& name)
   require_keys(parsed, given, name, "bird.");
   check_bird(parsed, given, name);
   refuse_idle_keys(parsed, entries);
-  check_part_laws(parsed, places);
+  for (PartCase& part : parsed.bird.parts) // the usual porosity of a part that only got patterns
+    if (const auto usual = usual_porosity(part.name);
+        usual && !places.contains("bird.parts." + part.name + ".porosity") && std::isnan(part.density) &&
+        part.eos == PartCase().eos)
+    {
+      part.porosity = *usual;
+      places["bird.parts." + part.name + ".porosity"] = name;
+    }
+  check_part_laws(parsed, places, name);
   return parsed;
 }
 

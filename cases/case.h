@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -84,6 +85,7 @@ struct Case
   Settings run;
   std::vector<LawCase> laws; //!< tables [eos.NAME], in the order of the file
 
+  bool alone = false;                         //!< made by bird_alone
   std::filesystem::path file;                 //!< where it was read
   std::map<std::string, std::string> written; //!< TOML text of each key that was given, by path
 };
@@ -101,11 +103,15 @@ struct Entry;
 //! The same with overrides that know where they were written, for messages.
 Case read_case_with(const std::filesystem::path& file, const std::vector<Entry>& overrides);
 
-//! A bird without a case file and without a target, from keys of bird and eos alone. By itself it has 20,000 particles and
+//! A bird without a target, from keys of bird and eos alone, those of a file and others that replace them. By itself it has 20,000 particles and
 //! the mass that its materials give; its parts may be left to usual_parts.
 //! \param name  of the bird, for messages
 //! \throw InputError as read_case
-Case bird_alone(const std::vector<Entry>& entries, const std::string& name);
+Case bird_alone(const std::vector<Entry>& overrides, const std::string& name,
+                const std::filesystem::path& file = {});
+
+//! Porosity of dissertation 8.3.1 for head, neck, torso, wings, bones and lungs, and for legs that of bones.
+std::optional<double> usual_porosity(std::string_view part);
 
 //! The case as TOML with every default filled in; read_case gives an equal case back. Files beside the case are named by
 //! their whole path.

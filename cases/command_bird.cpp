@@ -13,6 +13,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 namespace birdstrike {
@@ -80,7 +81,10 @@ std::vector<Entry> entries_of(const Options& options)
 bool is_mesh(const std::filesystem::path& input)
 {
   std::error_code ignored;
-  return input.extension() != ".toml" && std::filesystem::exists(input, ignored);
+  const bool exists = std::filesystem::exists(input, ignored);
+  require(exists || !is_mesh_file(input),
+          fmt::format("{}: no such mesh file; check the path", input.string()));
+  return input.extension() != ".toml" && exists;
 }
 
 void make_bird(const Options& options)
@@ -89,7 +93,13 @@ void make_bird(const Options& options)
   check_outputs(options.output);
   std::vector<Entry> entries = entries_of(options);
   if (options.inputs.size() == 1 && !is_mesh(options.inputs.front())) {
-    const Case parsed = read_case_with(find_case(options.inputs.front()), entries);
+    const std::filesystem::path file = find_case(options.inputs.front());
+    const std::vector<Entry> written = read_entries(file);
+    const bool has_target = std::any_of(written.begin(), written.end(), [](const Entry& entry) {
+      return entry.path.front() == "target" || entry.path.front() == "run";
+    });
+    const Case parsed = has_target || is_study(written) ? read_case_with(file, entries)
+                                                        : bird_alone(entries, file.string(), file);
     write_bird(parsed, case_mesh(parsed, log), options.output, log);
     return;
   }

@@ -20,17 +20,6 @@ namespace {
 //! No bird that flies is outside of this; a mesh that is has another unit.
 constexpr double smallest_bird = 0.02, largest_bird = 10; // [m]
 
-bool is_mesh_file(const std::filesystem::path& file)
-{
-  static const std::vector<std::string> known{".obj", ".gltf", ".glb", ".ply",  ".stl",
-                                              ".dae", ".3mf",  ".off", ".x3d",  ".3ds",
-                                              ".fbx", ".step", ".stp", ".iges", ".igs"};
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return std::find(known.begin(), known.end(), extension) != known.end();
-}
-
 void check_size(const SurfaceMesh& objects, const std::string& name)
 {
   const Box box = bounding_box(objects);
@@ -75,6 +64,17 @@ void read_files(const BirdCase& bird, const std::vector<std::filesystem::path>& 
 
 } // namespace
 
+bool is_mesh_file(const std::filesystem::path& file)
+{
+  static const std::vector<std::string> known{".obj", ".gltf", ".glb", ".ply",  ".stl",
+                                              ".dae", ".3mf",  ".off", ".x3d",  ".3ds",
+                                              ".fbx", ".step", ".stp", ".iges", ".igs"};
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return std::find(known.begin(), known.end(), extension) != known.end();
+}
+
 BirdMesh read_bird_mesh(const BirdCase& bird, const std::vector<std::filesystem::path>& files, Log& log)
 {
   BirdMesh mesh;
@@ -109,6 +109,13 @@ BirdMesh read_bird_mesh(const BirdCase& bird, const std::vector<std::filesystem:
     try {
       mesh.part_of.push_back(part_of_object(object.name, own, names));
     } catch (const InputError& error) {
+      if (mesh.objects.size() == 1 && own.empty() && names.size() <= 1)
+      { // one closed surface is the whole body
+        mesh.part_of.push_back(names.empty() ? "torso" : names.front());
+        log.info(fmt::format("mesh: its only object \"{}\" is taken as part \"{}\"", object.name,
+                             mesh.part_of.back()));
+        continue;
+      }
       throw InputError(fmt::format("{}: {}", mesh.name, error.what()));
     }
   return mesh;
@@ -130,18 +137,16 @@ std::vector<std::filesystem::path> mesh_files(const std::filesystem::path& path)
 
 std::vector<PartCase> usual_parts(const BirdMesh& mesh, const std::vector<PartCase>& given)
 {
-  static const std::vector<PartCase> usual{{"head", 0.3},  {"neck", 0.3},  {"torso", 0.6}, {"wings", 0.7},
-                                           {"bones", 0.2}, {"lungs", 0.8}, {"legs", 0.2}};
   std::vector<PartCase> parts = given;
   for (const std::string& name : mesh.part_of) {
     const auto same = [&](const PartCase& part) { return part.name == name; };
     if (std::any_of(parts.begin(), parts.end(), same))
       continue;
-    const auto found = std::find_if(usual.begin(), usual.end(), same);
-    require(found != usual.end(),
+    const std::optional<double> porosity = usual_porosity(name);
+    require(porosity.has_value(),
             fmt::format("{}: part \"{}\" has no usual porosity; write a case file that gives it", mesh.name,
                         name));
-    parts.push_back(*found);
+    parts.push_back({.name = name, .porosity = *porosity});
   }
   return parts;
 }

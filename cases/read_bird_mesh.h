@@ -30,6 +30,9 @@ struct BirdMesh
 //! \throw InputError naming the file: as import_mesh, repair, make_bird and part_of_object, or a size that no bird has
 BirdMesh read_bird_mesh(const BirdCase& bird, const std::vector<std::filesystem::path>& files, Log& log);
 
+//! By the ending of its name.
+bool is_mesh_file(const std::filesystem::path& file);
+
 //! The mesh files of a path: itself, or all of a folder in the order of their names.
 //! \throw InputError naming the folder if it holds none
 std::vector<std::filesystem::path> mesh_files(const std::filesystem::path& path);

@@ -101,11 +101,25 @@ public:
     return all;
   }
 
+  //! All particles, or none where a part has none.
   std::size_t count() const
   {
-    std::vector<std::size_t> layers(x_.count);
-    over_layers([&](long layer) { rows(layer, [&](const Vector3&, std::uint8_t) { ++layers[layer]; }); });
-    return std::accumulate(layers.begin(), layers.end(), std::size_t(0));
+    std::vector<std::array<std::size_t, most_parts>> layers(x_.count);
+    over_layers([&](long layer) {
+      layers[layer].fill(0);
+      rows(layer, [&](const Vector3&, std::uint8_t part) { ++layers[layer][part]; });
+    });
+    std::array<std::size_t, most_parts> of_part{};
+    for (const auto& layer : layers)
+      for (std::size_t p = 0; p < most_parts; ++p)
+        of_part[p] += layer[p];
+    std::size_t sum = 0;
+    for (std::uint8_t part : part_of_)
+      if (of_part[part] == 0)
+        return 0;
+    for (std::size_t n : of_part)
+      sum += n;
+    return sum;
   }
 
 private:
@@ -163,7 +177,8 @@ Layout best_place(double spacing, double wanted, const std::function<std::size_t
 {
   Layout best{spacing, 0, std::numeric_limits<double>::infinity()};
   for (int place = 0; place < places && best.off > good_volume; ++place) {
-    const double off = std::abs(double(count(spacing, place)) / wanted - 1);
+    const auto found = double(count(spacing, place));
+    const double off = found > 0 ? std::abs(found / wanted - 1) : std::numeric_limits<double>::max();
     if (off < best.off)
       best = {spacing, place, off};
   }

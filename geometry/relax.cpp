@@ -3,6 +3,7 @@
 #include "geometry/relax.h"
 
 #include "core/error.h"
+#include "core/format_text.h"
 #include "core/parallel.h"
 #include "core/particles/kernel.h"
 #include "geometry/point_grid.h"
@@ -174,10 +175,18 @@ private:
       if (missing == 0)
         return;
       const PointGrid grid(at_, 2 * h_);
+      const std::vector<long> before = have;
       remove(grid, have);
       add(have);
+      if (have == before)
+        break;
     }
-    throw RunError("the particles cannot be matched to the volumes of the parts; use a finer spacing");
+    for (std::size_t p = 0; p < have.size(); ++p)
+      require(have[p] == wanted_[p],
+              format_text(
+                  "part '%s' is too thin to be relaxed at a spacing of %.4g mm: it has room for %ld of %ld "
+                  "particles; use a finer spacing, or no relaxation",
+                  fill_.parts[p].name.c_str(), 1e3 * fill_.spacing, have[p], wanted_[p]));
   }
 
   void remove(const PointGrid& grid, std::vector<long>& have)

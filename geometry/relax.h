@@ -17,7 +17,7 @@ namespace birdstrike {
 //! Changes seeds, particle_volume of the parts, lattice.counted and the deviations.
 //! \param part_of    row of the part of each object of \p solids
 //! \param smoothing  h over spacing [-]
-//! \throw RunError if the particles do not come to rest evenly
+//! \throw InputError naming a part that is too thin for its particles
 void relax(Fill& fill, const Solids& solids, const std::vector<std::uint8_t>& part_of, double smoothing);
 
 } // namespace birdstrike

@@ -135,7 +135,7 @@ Solids::Shares Solids::shares(const std::vector<std::string>& part_of, double st
         for (std::size_t rank = 0; rank < n; ++rank)
           if (winding[rank] != 0) {
             in.push_back(int(rank));
-            if (std::abs(winding[rank]) > 1)
+            if (winding[rank] != 1)
               tally.doubled[rank] += length;
           }
         if (in.empty()) {

@@ -59,8 +59,8 @@ double telling_cut(vtkUnstructuredGrid& bird)
   return (static_cast<double>(best) - 0.5) * spacing;
 }
 
-//! The same particles, moved sideways so that what is to be cut away has y < 0.
-vtkSmartPointer<vtkUnstructuredGrid> shifted(vtkUnstructuredGrid& bird, double by)
+//! The same particles, moved sideways so that what is to be cut away has y < 0, or turned to look at us from the front.
+vtkSmartPointer<vtkUnstructuredGrid> shifted(vtkUnstructuredGrid& bird, double by, bool about_turn = false)
 {
   auto copy = vtkSmartPointer<vtkUnstructuredGrid>::New();
   copy->ShallowCopy(&bird);
@@ -68,7 +68,10 @@ vtkSmartPointer<vtkUnstructuredGrid> shifted(vtkUnstructuredGrid& bird, double b
   points->DeepCopy(bird.GetPoints());
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i) {
     double* p = points->GetPoint(i);
-    points->SetPoint(i, p[0], p[1] + by, p[2]);
+    if (about_turn)
+      points->SetPoint(i, -p[0], -p[1], p[2]);
+    else
+      points->SetPoint(i, p[0], p[1] + by, p[2]);
   }
   copy->SetPoints(points);
   return copy;
@@ -80,10 +83,11 @@ void write_bird_picture(vtkUnstructuredGrid& bird, const std::string& title, con
 {
   Frame frame;
   frame.bird = &bird;
-  const Bounds bounds = bounds_of(frame);
   const double cut = telling_cut(bird);
   Frame opened;
   opened.bird = shifted(bird, -cut);
+  Frame facing;
+  facing.bird = shifted(bird, 0, true);
   SnapshotOptions options;
   options.width = panel_width;
   options.height = panel_height;
@@ -100,8 +104,9 @@ void write_bird_picture(vtkUnstructuredGrid& bird, const std::string& title, con
     const Rectangle canvas{x, y, static_cast<double>(panel_width), panel_height - caption};
     options.view = panels[k].view;
     options.cut = panels[k].cut;
-    scenes.push_back(std::make_unique<Scene>(options, bounds, canvas.width, canvas.height));
-    scenes.back()->show(panels[k].cut ? opened : frame, ranges_of({frame}, options));
+    const Frame& shown = panels[k].cut ? opened : panels[k].view == View::front ? facing : frame;
+    scenes.push_back(std::make_unique<Scene>(options, bounds_of(shown), canvas.width, canvas.height));
+    scenes.back()->show(shown, ranges_of({frame}, options));
     page.place(*scenes.back(), canvas);
     const std::string text = panels[k].cut ? fmt::format("cut {:.0f} mm from the middle", 1e3 * std::abs(cut))
                                            : std::string(panels[k].caption);

@@ -49,13 +49,13 @@ Particles make_particles(std::vector<Part> parts, const std::vector<Seed>& seeds
     const double rho = reference_density(eos);
     p.x[i] = seed.position[0], p.y[i] = seed.position[1], p.z[i] = seed.position[2];
     p.vx[i] = velocity[0], p.vy[i] = velocity[1], p.vz[i] = velocity[2];
-    p.mass[i] = rho * spacing * spacing * spacing;
     p.density[i] = rho;
     p.energy[i] = 0;
     p.pressure[i] = 0;
     p.sound_speed[i] = evaluate(eos, rho).sound_speed;
     p.smoothing_length[i] = p.initial_smoothing;
     p.part[i] = seed.part;
+    p.mass[i] = rho * p.volume(i);
     filled[seed.part] = true;
   }
   for (std::size_t k = 0; k < filled.size(); ++k)

@@ -16,8 +16,9 @@ namespace birdstrike {
 struct Part
 {
   std::string name;
-  EquationOfState eos;    //!< its reference_density is the density of the undisturbed particles
-  double porosity = 0;    //!< z, volume share of air [-]; 0 where the law has none
+  EquationOfState eos;        //!< its reference_density is the density of the undisturbed particles
+  double porosity = 0;        //!< z, volume share of air [-]; 0 where the law has none
+  double particle_volume = 0; //!< that each of its particles stands for; 0: spacing^3 [m3]
   double mesh_volume = 0; //!< volume of the CAD part less the inner parts that it encloses [m3]; 0 if unknown
 };
 
@@ -44,6 +45,12 @@ struct Particles
   std::vector<std::int32_t> id;         //!< 0 ... N-1, constant over the run, survives sorting
 
   std::size_t size() const { return x.size(); }
+  //! Undisturbed volume that particle i stands for [m3]. Its mass is density times this unless somebody changed it.
+  double volume(std::size_t i) const
+  {
+    const double given = parts[part[i]].particle_volume;
+    return given > 0 ? given : spacing * spacing * spacing;
+  }
   void resize(std::size_t count);
 
   Vector3 position(std::size_t i) const { return {x[i], y[i], z[i]}; }
@@ -63,7 +70,7 @@ struct Seed
 //! Particles at rest state (p = 0, e = 0) from seeds on a lattice.
 //! \param parts          materials; each density is eos.reference_density
 //! \param seeds          N seeds; particle id = row
-//! \param spacing        lattice spacing; each particle stands for spacing^3 of volume [m]
+//! \param spacing        lattice spacing; each particle stands for spacing^3 of volume, or its part's particle_volume [m]
 //! \param velocity       initial velocity of all particles [m/s]
 //! \param smoothing      h over spacing [-]
 //! \param lattice        that the seeds lie on

@@ -66,7 +66,6 @@ void SphRates::prepare(Particles& p, const std::vector<double>& vx, const std::v
   }
   const Viscosity& viscosity = settings_.viscosity;
   const bool bulk = viscosity.kind == ViscosityKind::bulk;
-  const double cell = p.spacing * p.spacing * p.spacing;
   const double lattice = lattice_sum(p.initial_smoothing / p.spacing, p.lattice);
   for_each_row(n, [&](std::size_t i) {
     const EquationOfState& eos = p.parts[p.part[i]].eos;
@@ -87,12 +86,12 @@ void SphRates::prepare(Particles& p, const std::vector<double>& vx, const std::v
     vx_[i] = vx[i], vy_[i] = vy[i], vz_[i] = vz[i];
     h_[i] = p.smoothing_length[i];
     sound_speed_[i] = point.sound_speed;
-    weight_[i] = cell / lattice;
+    weight_[i] = p.volume(i) / lattice;
     inertia_[i] = rho0 / x;
     rest_density_[i] = rho0;
     // q of 5.58 uses the rate of compression at the end of the step before.
     const double q = bulk ? bulk_viscosity(density[i], point.sound_speed, rates.divergence[i],
-                                           std::cbrt(cell / x), viscosity.linear, viscosity.quadratic)
+                                           std::cbrt(p.volume(i) / x), viscosity.linear, viscosity.quadratic)
                           : 0;
     shock_stress_[i] = q / (x * x);
     stress_[i] = p.pressure[i] / (x * x) + shock_stress_[i];
@@ -129,9 +128,9 @@ void SphRates::finish(Particles& p, Rates& r, bool walls)
   r.image_force.resize(walls ? p.size() : 0);
   const ViscosityKind kind = settings_.viscosity.kind;
   const bool bulk = kind == ViscosityKind::bulk;
-  const double cell = p.spacing * p.spacing * p.spacing;
   for_each_row(p.size(), [&](std::size_t i) {
-    const double rho0 = p.mass[i] / cell, x = rho0 / inertia_[i];
+    // The mass may differ from volume times density (dissertation 8.3.3): that is inertia and nothing else.
+    const double cell = p.volume(i), rho0 = p.mass[i] / cell, x = rest_density_[i] / inertia_[i];
     std::array<double, 9> g; // grad v
     for (std::size_t c = 0; c < 9; ++c)
       g[c] = gradient_[c][i] / x;
@@ -144,8 +143,8 @@ void SphRates::finish(Particles& p, Rates& r, bool walls)
     if (walls)
       r.image_force[i] = cell * Vector3(wall_[i], wall_fy_[i], wall_fz_[i]);
     r.divergence[i] = -compression_rate / x;
-    r.density[i] = rho0 * compression_rate;
-    r.summed_density[i] = rho0 * number_[i];
+    r.density[i] = rest_density_[i] * compression_rate;
+    r.summed_density[i] = rest_density_[i] * number_[i];
     r.viscous[i] = (heating_[i] + shock_stress_[i] * work_[i]) / rho0;
     r.energy[i] = r.viscous[i] + (stress_[i] - shock_stress_[i]) * work_[i] / rho0;
     r.approach[i] = bulk ? std::cbrt(cell / x) * std::abs(r.divergence[i]) : mu_[i];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rates of change of the particles: 4.10, 4.11 and 4.12 in terms of the number of particles in a place.
 //
-// Every particle k stands for one cell of the lattice at the start, V_k = m_k / rho0_k, and x_k = rho_k / rho0_k is
+// Every particle k stands for one cell of the lattice at the start, V_k (m_k / rho0_k, but for masses scaled alone), and x_k = rho_k / rho0_k is
 // its compression. With s = (p + q) / x^2,
 //   dx_i/dt = D_i = sum V_k (v_i - v_k) . grad_i W_ik                       drho/dt = rho0 D
 //   dv_i/dt = -(1/rho0_i) sum V_k (a_ik s_i + a_ki s_k + Q_ik) grad_i W_ik

@@ -84,7 +84,8 @@ std::vector<SurfacePart> detach_membranes(SurfacePart& part)
         candidates.emplace_back(surface_area(pieces[p]), p);
     if (candidates.empty())
       break;
-    std::sort(candidates.begin(), candidates.end());
+    std::sort(candidates.rbegin(),
+              candidates.rend()); // walls span the body, strips of skin between them are smaller
     if (candidates.size() > most_candidates)
       candidates.resize(most_candidates);
     int best = candidates.front().second;
