@@ -364,7 +364,7 @@ Given assign(const std::vector<Entry>& entries, Case& parsed)
 }
 
 //! An override of one of these takes the place of the other.
-constexpr std::pair<const char*, const char*> rivals[] = {{"spacing", "particles"}, {"mesh", "species"}};
+constexpr std::pair<const char*, const char*> rivals[] = {{"spacing", "particles"}};
 
 void override_all(std::vector<Entry>& entries, const std::vector<Entry>& overrides)
 {
@@ -432,14 +432,19 @@ Case read_case_with(const std::filesystem::path& file, const std::vector<Entry>&
   return parsed;
 }
 
-Case bird_alone(const std::vector<Entry>& entries, const std::string& name)
+Case bird_alone(const std::vector<Entry>& overrides, const std::string& name,
+                const std::filesystem::path& file)
 {
   Case parsed;
+  parsed.file = file;
+  parsed.alone = true;
+  std::vector<Entry> entries = file.empty() ? std::vector<Entry>() : read_entries(file);
+  override_all(entries, overrides);
   for (const Entry& entry : entries)
-    if (entry.path.front() != "bird" && entry.path.front() != "eos")
-      throw InputError(
-          fmt::format("{}: {} = {}: a bird without a case file has only the keys bird.* and eos.*",
-                      entry.place, join(entry.path), entry.found));
+    if (const std::string& table = entry.path.front();
+        table != "bird" && table != "eos" && table != "title" && table != "source")
+      throw InputError(fmt::format("{}: {} = {}: a bird without a target has only the keys bird.* and eos.*",
+                                   entry.place, join(entry.path), entry.found));
   auto [given, places] = assign(entries, parsed);
   BirdCase& bird = parsed.bird;
   bird.velocity = given.contains("bird.velocity") ? bird.velocity : 0;

@@ -94,7 +94,7 @@ TEST_CASE("an object may be a part by its own name", "[cases][bird]")
   const scratch::Folder folder;
   folder.write("box.obj", box("gelatine", 0.1, 0.05, 0.05));
   const fs::path file = folder.write("case.toml", box_case);
-  CHECK_THROWS_AS(build(file), InputError);
+  CHECK(build(file).parts[0].name == "torso"); // one closed surface is the only part there is
   std::string text = box_case;
   text.replace(text.find("torso"), 5, "gelatine");
   const BuiltBird bird = build(folder.write("case.toml", text));
