@@ -142,6 +142,29 @@ std::string misleading_binary_stl(const std::filesystem::path& file)
   return stream ? bytes : std::string();
 }
 
+//! An OBJ in which a name has blanks, with "_" in their place: assimp would take the first word alone, so that "wing L" and
+//! "wing R" became one. Several groups of one face become one name likewise. Empty if no name has any.
+std::string obj_with_blank_names(const std::filesystem::path& file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  std::string text, line;
+  bool any = false;
+  while (std::getline(stream, line)) {
+    if (line.starts_with("mtllib"))
+      continue; // lies beside the file; nobody needs it
+    if (line.starts_with("o ") || line.starts_with("g ")) {
+      const auto from = line.find_first_not_of(" \t", 1), to = line.find_last_not_of(" \t\r");
+      for (std::size_t i = from; from != std::string::npos && i < to; ++i)
+        if (line[i] == ' ' || line[i] == '\t') {
+          line[i] = '_';
+          any = true;
+        }
+    }
+    text += line + '\n';
+  }
+  return any ? text : std::string();
+}
+
 //! Without its last line the header of a PLY keeps assimp waiting for ever.
 void require_whole_ply_header(const std::filesystem::path& file)
 {
@@ -173,9 +196,12 @@ RawScene read_by_assimp(const std::filesystem::path& file)
   const aiScene* scene = nullptr;
   std::string reason;
   try {
-    const std::string bytes = extension == ".stl" ? misleading_binary_stl(file) : std::string();
-    scene = bytes.empty() ? importer.ReadFile(file.string(), steps)
-                          : importer.ReadFileFromMemory(bytes.data(), bytes.size(), steps, "stl");
+    const std::string bytes = extension == ".stl"   ? misleading_binary_stl(file)
+                              : extension == ".obj" ? obj_with_blank_names(file)
+                                                    : std::string();
+    scene = bytes.empty()
+                ? importer.ReadFile(file.string(), steps)
+                : importer.ReadFileFromMemory(bytes.data(), bytes.size(), steps, extension.c_str() + 1);
     reason = importer.GetErrorString();
   } catch (const std::bad_alloc&) {
     throw;

@@ -88,7 +88,9 @@ bool is_sheet(const SurfacePart& open, const SurfacePart& capped)
     squares += std::pow(loop_length(open, loop), 2);
   const double compactness =
       36 * std::numbers::pi * std::pow(signed_volume(capped), 2) / std::pow(surface_area(capped), 3);
-  return squares > 3 * std::numbers::pi * surface_area(open) && compactness < 0.5;
+  const double cap = surface_area(capped) - surface_area(open);
+  return squares > 3 * std::numbers::pi * surface_area(open) &&
+         (compactness < 0.1 || (compactness < 0.5 && cap > 0.7 * surface_area(open)));
 }
 
 SurfacePart thicken(const SurfacePart& sheet, double thickness)

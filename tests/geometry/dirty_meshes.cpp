@@ -300,6 +300,23 @@ void holes(std::vector<DirtyMesh>& list)
                   {{0, 0, 0}, {-0.06, 0, 0}, {edge - 0.01, 0, 0}},
                   {{edge + 0.01, 0, 0}, {0, 0.12, 0}, {-0.3, 0, 0}}});
 
+  part = without(ball(), [](const Vector3& p) { return p.z() > 0.04; });
+  edge = -1;
+  for (const auto& t : part.triangles)
+    for (int c : t)
+      edge = std::max(edge, part.points[c].z());
+  for (Vector3& p : part.points)
+    p = Vector3(p.x(), p.y() / 3, p.z() / 3);
+  list.push_back({"open-along-its-back",
+                  "A body three times as long as wide whose back is missing.",
+                  part,
+                  {"filled 1 hole (", "mm across)"},
+                  "the surface is open",
+                  (ball_volume - pi * std::pow(radius - edge, 2) * (2 * radius + edge) / 3) / 9,
+                  0.05, // the rim lies on no plane
+                  {{0, 0, 0}, {-0.06, 0, 0}, {0.05, 0, 0.005}},
+                  {{0, 0, 0.03}, {0, 0.05, 0}, {-0.15, 0, 0}}});
+
   list.push_back({"tenth-of-the-faces-missing",
                   "A tenth of the faces is missing, at random.",
                   some_dropped(ball(), 0.1),

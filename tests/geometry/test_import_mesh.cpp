@@ -111,6 +111,19 @@ TEST_CASE("names come from groups or objects of an OBJ, never from its materials
   CHECK(find_topology(nameless[0]).closed());
 }
 
+TEST_CASE("names of an OBJ keep their blanks as underscores", "[geometry][import]")
+{
+  const TemporaryFolder folder;
+  std::string text = test::obj_bytes(small_bird(), 'o');
+  for (std::size_t at = text.find("_left"); at != std::string::npos; at = text.find("_left"))
+    text.replace(at, 5, " L ");
+  for (std::size_t at = text.find("_right"); at != std::string::npos; at = text.find("_right"))
+    text.replace(at, 6, " R ");
+  const SurfaceMesh mesh = read_mesh(folder.write("goose.obj", text));
+  CHECK(mesh.size() == small_bird().size());
+  CHECK(std::any_of(mesh.begin(), mesh.end(), [](const SurfacePart& p) { return p.name == "wing_L"; }));
+}
+
 TEST_CASE("a binary STL may begin with solid and go on after its triangles", "[geometry][import]")
 {
   const TemporaryFolder folder;
