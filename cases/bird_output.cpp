@@ -148,16 +148,21 @@ void write_bird(const Case& parsed, const std::optional<BirdMesh>& mesh, const B
     if (kind_of(file) == Kind::deck)
       decks.push_back(file);
     needs_particles = needs_particles || kind_of(file) != Kind::surface;
-    if (kind_of(file) != Kind::surface)
-      continue;
-    require(mesh.has_value(),
+    require(mesh.has_value() || kind_of(file) != Kind::surface,
             fmt::format("{}: a bird.shape has no surface; write particles or a deck", file.string()));
-    write_surface(mesh->objects, file);
-    log.info(fmt::format("surfaces in {}", file.string()));
   }
-  if (!needs_particles)
+  // Nothing is written before the bird is known to be right.
+  std::optional<BuiltBird> built;
+  if (needs_particles)
+    built = mesh ? build_bird(parsed, *mesh, log) : build_bird(parsed, log);
+  for (const std::filesystem::path& file : output.files)
+    if (kind_of(file) == Kind::surface) {
+      write_surface(mesh->objects, file);
+      log.info(fmt::format("surfaces in {}", file.string()));
+    }
+  if (!built)
     return;
-  const BuiltBird bird = mesh ? build_bird(parsed, *mesh, log) : build_bird(parsed, log);
+  const BuiltBird& bird = *built;
   for (const std::filesystem::path& file : output.files)
     if (kind_of(file) == Kind::particles) {
       write_particles(bird.particles, file, {.cells = !output.points_only});

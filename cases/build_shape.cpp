@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace birdstrike {
 
 std::vector<std::string> bird_shape_names()
@@ -33,7 +35,9 @@ Fill fill_of_shape(const Case& parsed)
   if (!is_column(parsed)) {
     const ShapeSize size = size_of_shape(parsed);
     try {
-      Fill fill = fill_shape(bird.shape, size, bird.spacing, bird.parts.at(0).name);
+      const double spacing =
+          bird.particles > 0 ? std::cbrt(shape_volume(bird.shape, size) / bird.particles) : bird.spacing;
+      Fill fill = fill_shape(bird.shape, size, spacing, bird.parts.at(0).name);
       give_parts(parsed, size, fill);
       return fill;
     } catch (const InputError& error) {

@@ -467,6 +467,13 @@ Case bird_alone(const std::vector<Entry>& overrides, const std::string& name,
       places["bird.parts." + part.name + ".porosity"] = name;
     }
   check_part_laws(parsed, places, name);
+  if (!bird.shape.empty() && bird.parts.empty())
+    throw InputError(
+        fmt::format("{}: bird.parts is missing: every part of the bird needs its porosity, for example "
+                    "torso = {{ porosity = 0.6 }} under [bird.parts]",
+                    name));
+  if (!bird.shape.empty() && !is_column(parsed))
+    check_shape_parts(parsed);
   return parsed;
 }
 

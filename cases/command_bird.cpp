@@ -117,7 +117,8 @@ void make_bird(const Options& options)
     entries.push_back(std::move(mesh));
   }
   const std::string name = files.empty() ? "birdstrike bird" : files.front().string();
-  if (files.empty() && options.values.at(9).empty())
+  if (files.empty() && std::none_of(entries.begin(), entries.end(),
+                                    [](const Entry& entry) { return join(entry.path) == "bird.species"; }))
     throw InputError("birdstrike bird needs a case, a mesh or --species; --help shows how");
   const Case parsed = bird_alone(entries, name);
   write_bird(parsed, read_bird_mesh(parsed.bird, files, log), options.output, log);

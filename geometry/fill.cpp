@@ -297,8 +297,9 @@ Fill fill_mesh(const SurfaceMesh& mesh, const std::vector<std::string>& part_of,
   const Solids::Shares shares = solids.shares(part_of, step, widest_gap * first_spacing);
   fill.overlaps = shares.overlaps;
   fill.gaps = shares.gaps;
-  for (const int axis : {0, 2}) // a gap is seen by lines that cross it
-    add_gaps(fill.gaps, Solids(mesh, axis).shares(part_of, 2 * step, widest_gap * first_spacing).gaps);
+  for (const int axis : {0, 2}) // a gap is seen by lines that cross it; one part has none
+    if (fill.parts.size() > 1)
+      add_gaps(fill.gaps, Solids(mesh, axis).shares(part_of, 2 * step, widest_gap * first_spacing).gaps);
   double volume = 0;
   for (std::size_t i = 0; i < mesh.size(); ++i) {
     fill.parts[part_row[i]].body += shares.of[i];

@@ -248,3 +248,31 @@ TEST_CASE("options of bird are keys of the case, and wrong endings and folders a
   CHECK(folder.status == 1);
   CHECK_THAT(folder.output, Catch::StartsWith("birdstrike: error: none/bird.vtu"));
 }
+
+TEST_CASE("a shape alone becomes a number of particles, or says what it lacks", "[cases][program]")
+{
+  const scratch::Folder folder;
+  folder.write("shape.toml", "[bird]\nshape = \"capsule\"\nmass = \"0.5 kg\"\nparticles = 4000\n");
+  const Outcome bare = program(folder.path, "bird shape.toml -o bird.vtu");
+  CHECK(bare.status == 2);
+  CHECK_THAT(bare.output, Catch::Contains("bird.parts is missing"));
+  CHECK_FALSE(fs::exists(folder.path / "bird.vtu"));
+  folder.write("shape.toml",
+               "[bird]\nshape = \"capsule\"\nmass = \"0.5 kg\"\nparticles = 4000\n[bird.parts]\n"
+               "torso = { porosity = 0.4 }\n");
+  const Outcome made = program(folder.path, "bird shape.toml -o bird.vtu --report bird.json");
+  INFO(made.output);
+  REQUIRE(made.status == 0);
+  const auto report = nlohmann::json::parse(scratch::read(folder.path / "bird.json"));
+  CHECK(std::abs(report.at("particles").get<double>() / 4000 - 1) < 0.03);
+  CHECK(report.at("mass").get<double>() == Approx(0.5).epsilon(1e-9));
+}
+
+TEST_CASE("no output is written where one of them cannot be made", "[cases][program][errors]")
+{
+  const scratch::Folder folder;
+  folder.write("box.obj", box("torso", 0.1, 0.05, 0.05));
+  const Outcome outcome = program(folder.path, "bird box.obj --spacing '1 nm' -o bird.glb -o bird.vtu");
+  CHECK(outcome.status == 2);
+  CHECK_FALSE(fs::exists(folder.path / "bird.glb"));
+}
