@@ -61,6 +61,9 @@ public:
         slot->push_back(*one);
       else
         fail(kind_of(key_) + " is needed");
+    for (const std::string& one : *slot)
+      if (key_.choices)
+        check_choice(one);
   }
   void operator()(ViscosityKind* slot) const { *slot = viscosity_kind(text()); }
 
@@ -140,12 +143,16 @@ private:
       result = entry_.found;
     else
       fail(kind_of(key_) + " is needed");
-    if (key_.choices) {
-      const std::vector<std::string> choices = key_.choices();
-      if (!key_.or_law && std::find(choices.begin(), choices.end(), result) == choices.end())
-        fail(kind_of(key_) + " is needed");
-    }
+    if (key_.choices && !key_.or_law)
+      check_choice(result);
     return result;
+  }
+
+  void check_choice(const std::string& chosen) const
+  {
+    const std::vector<std::string> choices = key_.choices();
+    if (std::find(choices.begin(), choices.end(), chosen) == choices.end())
+      fail(kind_of(key_) + " is needed");
   }
 
   const Entry& entry_;

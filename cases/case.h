@@ -4,6 +4,7 @@
 #pragma once
 
 #include "cases/law_case.h"
+#include "cases/series_form.h"
 #include "cases/target_case.h"
 #include "core/settings.h"
 #include "geometry/shape_parts.h"
@@ -83,6 +84,10 @@ struct Case
   std::vector<TransducerCase> transducers; //!< in the order of the file
   std::vector<DeflectionCase> deflections; //!< points whose displacement histories follow
   Settings run;
+  double frame_interval = NAN;   //!< between states, in place of run.frames; NaN: by their number [s]
+  double contact_interval = NAN; //!< between more states around the first contact; NaN: none [s]
+  double contact_window = 2e-4;  //!< after the first contact, in which they lie [s]
+  SeriesForm series;
   std::vector<LawCase> laws; //!< tables [eos.NAME], in the order of the file
 
   bool alone = false;                         //!< made by bird_alone

@@ -75,7 +75,7 @@ std::string to_toml(const Case& parsed)
       }
       continue;
     }
-    if ((path.starts_with("target.") || path.starts_with("bird.")) && is_empty(key.slot(values, 0)))
+    if (dot != std::string::npos && is_empty(key.slot(values, 0)))
       continue;
     if (dot != std::string::npos)
       open(path.substr(0, dot));

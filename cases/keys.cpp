@@ -181,7 +181,10 @@ std::string kind_of(const Key& key)
           [](int*) { return std::string("an integer"); },
           [](std::array<int, 2>*) { return std::string("a list of two integers"); },
           [](bool*) { return std::string("true or false"); },
-          [](std::vector<std::string>*) { return std::string("a list of texts in quotes"); },
+          [&](std::vector<std::string>*) {
+            return key.choices ? fmt::format("a list of some of \"{}\"", fmt::join(key.choices(), "\", \""))
+                               : std::string("a list of texts in quotes");
+          },
           [&](auto*) {
             return key.choices ? fmt::format("one of \"{}\"{}", fmt::join(key.choices(), "\", \""),
                                              key.or_law ? " or the name of an [eos.NAME]" : "")

@@ -69,6 +69,13 @@ const Condition with_ribs{"a bird.shape with a part whose place is \"ribs\"",
                           [](const Case& c) { return has_place(c, Place::ribs); }};
 const Condition with_core{"a bird.shape with a part whose place is \"core\"",
                           [](const Case& c) { return has_place(c, Place::core); }};
+const Condition by_frames{"a run without run.interval", [](const Case& c) { return std::isnan(c.frame_interval); }};
+const Condition dense_at_contact{"a run with run.contact_interval",
+                                 [](const Case& c) { return !std::isnan(c.contact_interval); }};
+const Condition packs{"a series.format that is \"packed\" or \"both\"",
+                      [](const Case& c) { return c.series.format != "vtu"; }};
+const Condition writes_vtu{"a series.format that is not \"packed\"",
+                           [](const Case& c) { return c.series.format != "packed"; }};
 const Condition with_column{"a column", is_column};
 const Condition no_column{"a bird that is not a column", [](const Case& c) { return !is_column(c); }};
 const Condition flat_target{"a flat plate and a bird that is not a column",
@@ -158,7 +165,10 @@ std::vector<Key> rows_after_target()
     {"transducers.*.steady_to", number, "", false, above(0), "end of that window", TRANSDUCER_SLOT(steady_to), nullptr, &flat_target},
 
     {"run.end", time, "ms", true, above(0), "simulated time; for a column by default until four fifths of it are shocked", SLOT(run.end_time), nullptr, nullptr, &with_column},
-    {"run.frames", number, "", false, within(1, 100000), "states written after the one at the start, evenly spaced", SLOT(run.frames)},
+    {"run.frames", number, "", false, within(1, 100000), "states written after the one at the start, evenly spaced", SLOT(run.frames), nullptr, &by_frames},
+    {"run.interval", time, "us", false, above(0), "time between the states that are written, in place of their number", SLOT(frame_interval)},
+    {"run.contact_interval", time, "us", false, above(0), "time between more states around the first contact; none if not given", SLOT(contact_interval)},
+    {"run.contact_window", time, "ms", false, above(0), "how long after the first contact they are written", SLOT(contact_window), nullptr, &dense_at_contact},
     {"run.courant", number, "", false, above_within(0, 1), "share of the largest stable time step", SLOT(run.courant)},
     {"run.viscosity", number, "", false, {}, "artificial viscosity: limited spares smooth flow; pairwise is Monaghan's, switched the same but for shear; dissertation is the bulk term of equation 5.58", SLOT(run.viscosity.kind), viscosity_names},
     {"run.viscosity_linear", number, "", false, at_least(0), "coefficient of the term linear in the rate of compression; 1 with pairwise and switched, 0.06 with dissertation", SLOT(run.viscosity.linear)},
@@ -166,6 +176,12 @@ std::vector<Key> rows_after_target()
     {"run.tension_cutoff", pressure, "MPa", false, at_most(0), "lowest pressure that a particle can carry", SLOT(run.tension_cutoff)},
     {"run.smoothing_shrink", number, "", false, above_within(0, 1), "smallest smoothing length over its first value", SLOT(run.smoothing_shrink)},
     {"run.smoothing_growth", number, "", false, at_least(1), "largest smoothing length over its first value", SLOT(run.smoothing_growth)},
+
+    {"series.format", number, "", false, {}, "vtu: run.pvd and a file a state, which open everywhere; packed: run.bss, one file of a twentieth of the size for this program and the ParaView plugin", SLOT(series.format), series_formats},
+    {"series.precision", number, "", false, {}, "of the places and fields that are written", SLOT(series.precision), series_precisions},
+    {"series.compression", number, "", false, {}, "of .vtu files; lzma is a sixth smaller than zlib and takes five times as long, lz4 the reverse", SLOT(series.compression), series_compressions, &writes_vtu},
+    {"series.accuracy", number, "", false, within(0, 0.1), "largest error of a packed value, over the largest magnitude of its field so far; of places, over the spacing; 0: none", SLOT(series.accuracy), nullptr, &packs},
+    {"series.fields", number, "", false, {}, "fields that are written, besides part and id; all if not given", SLOT(series.fields), series_fields},
   };
 }
 #undef SLOT

@@ -22,6 +22,7 @@ namespace {
 constexpr std::array own_files{
     "summary.json",
     "run.pvd",
+    "run.bss",
     "histories.csv",
     "transducers.csv",
     "case.toml",

@@ -7,6 +7,7 @@
 #include "cases/build_target.h"
 #include "cases/figures.h"
 #include "cases/flight_check.h"
+#include "cases/frame_times.h"
 #include "cases/history_file.h"
 #include "cases/keys.h"
 #include "cases/log.h"
@@ -52,8 +53,8 @@ double seconds_since(Clock::time_point start)
 class Recorder : public Observer
 {
 public:
-  Recorder(const fs::path& folder, bool transducers, Log& log)
-      : series_(folder), histories_(folder / "histories.csv"), progress_(log), log_(log)
+  Recorder(const fs::path& folder, const SeriesOptions& series, bool transducers, Log& log)
+      : series_(folder, series), histories_(folder / "histories.csv"), progress_(log), log_(log)
   {
     if (transducers)
       transducers_.emplace(folder / "transducers.csv");
@@ -152,7 +153,7 @@ void run_and_record(const Case& parsed, const RunOptions& options, Simulation& r
                     double density_factor, const std::string& bird, Clock::time_point start, Log& log)
 {
   write_text_atomically(options.output / "case.toml", to_toml(parsed));
-  Recorder recorder(options.output, !parsed.transducers.empty(), log);
+  Recorder recorder(options.output, series_options(parsed.series), !parsed.transducers.empty(), log);
   try {
     run.run(recorder);
   } catch (...) {
@@ -166,14 +167,14 @@ void run_and_record(const Case& parsed, const RunOptions& options, Simulation& r
   facts.bird = bird;
   facts.series_bytes = recorder.series().bytes();
   evaluate_gauges(parsed, run, flight, facts);
-  const History frames = to_history(*histories_of_series(recorder.series().pvd()));
+  const History frames = to_history(*histories_of_series(recorder.series().path()));
   if (const std::size_t c = frames.find("permanent_set"); run.mesh_target() && c < frames.columns.size())
     facts.permanent_set = frames.at(0, c);
   if (options.figures) {
     log.info("drawing figures");
     const auto figures_start = Clock::now();
     const fs::path folder = options.output / "figures";
-    write_pictures(recorder.series().pvd(), folder, parsed.title);
+    write_pictures(recorder.series().path(), folder, parsed.title);
     write_plots(run.history(), frames, folder, parsed.title);
     if (!parsed.transducers.empty()) {
       const EquationOfState& law = hardest_law(run.particles().parts, flight.normal_speed());
@@ -217,6 +218,7 @@ void run_case(const Case& parsed, const RunOptions& options, Log& log)
       now.points = shells->position; // a spin has moved them
     warnings = place_before(parsed, now, bird.particles, bird.flight);
   }
+  settings.frame_times = frame_times(parsed, bird.flight.contact_time());
   for (const std::string& warning :
        flight_warnings(bird.particles, target.target.plate ? &*target.target.plate : nullptr, settings))
     warnings.push_back(warning);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 namespace birdstrike {
 
@@ -45,8 +46,10 @@ struct PeriodicBox
 
 struct Settings
 {
-  double end_time = 0;  //!< [s]
-  int frames = 60;      //!< states handed to the observer after the one at t = 0, at equal intervals
+  double end_time = 0; //!< [s]
+  int frames = 60;     //!< states handed to the observer after the one at t = 0, at equal intervals
+  std::vector<double>
+      frame_times; //!< their times in place of their number, rising, the last one end_time; empty: by frames [s]
   double courant = 0.5; //!< share of the stability limit of time_step.h [-]
   Viscosity viscosity;
   double tension_cutoff = 0; //!< lowest pressure that a particle can carry, <= 0 [Pa]

@@ -11,7 +11,9 @@
 #include "core/parallel.h"
 #include "core/particles/smoothing_length.h"
 
+#include <algorithm>
 #include <chrono>
+#include <functional>
 
 #include <omp.h>
 
@@ -33,6 +35,15 @@ struct Stopwatch
   double start = wall_clock();
   ~Stopwatch() { share += wall_clock() - start; }
 };
+
+//! When states are handed out after the first one [s].
+std::vector<double> frame_times(const Settings& s)
+{
+  std::vector<double> times = s.frame_times;
+  for (int frame = 1; s.frame_times.empty() && frame <= s.frames; ++frame)
+    times.push_back(s.end_time * frame / s.frames);
+  return times;
+}
 
 //! Speed of the bird [m/s].
 double speed_of(const Particles& p)
@@ -58,6 +69,9 @@ void check(const Settings& s, const Particles& p, const RigidPlate* plate)
     require(std::isfinite(value), "every setting of the run must be a finite number");
   require(s.end_time > 0, "run.end must be positive");
   require(s.frames > 0, "run.frames must be at least 1");
+  require(std::is_sorted(s.frame_times.begin(), s.frame_times.end(), std::less_equal<>()) &&
+              (s.frame_times.empty() || (s.frame_times.front() > 0 && s.frame_times.back() == s.end_time)),
+          "the times of frames must lie above 0, rise, and end with run.end");
   require(s.courant > 0 && s.courant <= 1, "run.courant must lie above 0 and not above 1");
   require(s.viscosity.linear >= 0 && s.viscosity.quadratic >= 0,
           "viscosity coefficients must not be negative");
@@ -395,8 +409,7 @@ void Simulation::run(Observer& observer)
 
   s.start();
   hand_out_frame();
-  for (int frame = 1; frame <= s.settings.frames; ++frame) {
-    const double frame_time = s.settings.end_time * frame / s.settings.frames;
+  for (const double frame_time : frame_times(s.settings)) {
     while (s.time < frame_time) {
       s.stable = s.find_step();
       const double left = frame_time - s.time;

@@ -3,6 +3,7 @@
 #include "vtkio/series_reader.h"
 
 #include "core/error.h"
+#include "filters/series/PackedFile.h"
 #include "vtkio/vtk_errors.h"
 
 #include <vtkErrorCode.h>
@@ -50,9 +51,37 @@ std::size_t SeriesIndex::nearest(double time) const
   return static_cast<std::size_t>(std::min_element(steps.begin(), steps.end(), closer) - steps.begin());
 }
 
-SeriesIndex read_series_index(const fs::path& pvd)
+namespace {
+
+SeriesIndex open_packed(const fs::path& file)
 {
+  SeriesIndex index{file, {}, nullptr};
+  try {
+    index.packed = std::make_shared<PackedFile>(file.string());
+  } catch (const std::runtime_error& error) {
+    throw InputError("cannot read " + file.string() + ": " + error.what());
+  }
+  for (const double time : index.packed->Times())
+    index.steps.push_back({time, {}});
+  return index;
+}
+
+} // namespace
+
+SeriesIndex read_series_index(const fs::path& series)
+{
+  std::error_code ignored;
+  fs::path pvd = series;
+  if (fs::is_directory(series, ignored)) {
+    pvd = series / "run.pvd";
+    if (!fs::exists(pvd, ignored))
+      pvd = series / "run.bss";
+    require(fs::exists(pvd, ignored),
+            "cannot read a series in " + series.string() + ": the folder has neither run.pvd nor run.bss");
+  }
   require_readable(pvd);
+  if (pvd.extension() == ".bss")
+    return open_packed(pvd);
   auto errors = vtkSmartPointer<VtkErrors>::New();
   auto parser = vtkSmartPointer<vtkXMLDataParser>::New();
   errors->watch(*parser);
@@ -77,7 +106,7 @@ SeriesIndex read_series_index(const fs::path& pvd)
   }
   require(!steps.empty(), pvd.string() + " lists no frames");
 
-  SeriesIndex index{pvd, {}};
+  SeriesIndex index{pvd, {}, nullptr};
   for (auto& [time, pieces] : steps)
     index.steps.push_back({time, std::move(pieces)});
   return index;
@@ -101,17 +130,34 @@ vtkSmartPointer<vtkUnstructuredGrid> read_grid(const fs::path& vtu)
   return reader->GetOutput();
 }
 
-Frame read_frame(const SeriesIndex& index, std::size_t step)
+std::vector<std::pair<std::string, vtkSmartPointer<vtkUnstructuredGrid>>>
+read_pieces(const SeriesIndex& index, std::size_t step)
 {
   require(step < index.steps.size(), index.pvd.string() + " has " + std::to_string(index.steps.size()) +
                                          " frames; there is no frame number " + std::to_string(step));
-  Frame frame{index.steps[step].time, nullptr, nullptr};
-  for (const SeriesPiece& piece : index.steps[step].pieces) {
-    if (piece.name == "bird")
-      frame.bird = read_grid(piece.file);
-    else if (piece.name == "target")
-      frame.target = read_grid(piece.file);
+  if (index.packed) {
+    try {
+      return index.packed->Read(step);
+    } catch (const std::runtime_error& error) {
+      throw InputError("cannot read " + index.pvd.string() + ": " + error.what());
+    }
   }
+  std::vector<std::pair<std::string, vtkSmartPointer<vtkUnstructuredGrid>>> grids;
+  for (const SeriesPiece& piece : index.steps[step].pieces)
+    grids.emplace_back(piece.name, read_grid(piece.file));
+  return grids;
+}
+
+Frame read_frame(const SeriesIndex& index, std::size_t step)
+{
+  Frame frame{0, nullptr, nullptr};
+  for (const auto& [name, grid] : read_pieces(index, step)) {
+    if (name == "bird")
+      frame.bird = grid;
+    else if (name == "target")
+      frame.target = grid;
+  }
+  frame.time = index.steps[step].time;
   return frame;
 }
 

@@ -5,9 +5,11 @@
 #include <vtkSmartPointer.h>
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
+class PackedFile;
 class vtkUnstructuredGrid;
 
 namespace birdstrike {
@@ -27,15 +29,22 @@ struct SeriesStep
 
 struct SeriesIndex
 {
-  std::filesystem::path pvd;
-  std::vector<SeriesStep> steps; //!< by rising time
+  std::filesystem::path pvd;          //!< or the packed series
+  std::vector<SeriesStep> steps;      //!< by rising time
+  std::shared_ptr<PackedFile> packed; //!< null for a .pvd
 
   //! The step whose time is nearest, the earlier one of two; steps must not be empty.
   std::size_t nearest(double time) const;
 };
 
-//! \throw InputError if the file is missing, is no .pvd, or lists nothing
-SeriesIndex read_series_index(const std::filesystem::path& pvd);
+//! \param series  a .pvd, a packed series (.bss), or a run's folder with either
+//! \throw InputError if it is missing, is neither, or lists nothing
+SeriesIndex read_series_index(const std::filesystem::path& series);
+
+//! The grids of a step, by their names. \throw InputError naming the file if a piece is missing, truncated or of
+//! another kind
+std::vector<std::pair<std::string, vtkSmartPointer<vtkUnstructuredGrid>>>
+read_pieces(const SeriesIndex& index, std::size_t step);
 
 //! A state read back from disk.
 struct Frame

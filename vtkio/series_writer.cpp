@@ -3,7 +3,9 @@
 #include "vtkio/series_writer.h"
 
 #include "core/error.h"
+#include "filters/series/PackedFile.h"
 #include "vtkio/atomic_file.h"
+#include "vtkio/thin_grid.h"
 #include "vtkio/write_vtk_xml.h"
 
 #include <vtkSmartPointer.h>
@@ -32,9 +34,13 @@ bool is_frame(const std::string& name)
 void remove_old_series(const fs::path& folder)
 {
   std::error_code error;
-  fs::remove(folder / "run.pvd", error);
-  if (error)
-    throw OutputError("cannot replace " + (folder / "run.pvd").string() + ": " + error.message());
+  for (const char* name : {"run.pvd", "run.bss"}) {
+    fs::remove(folder / name, error);
+    if (error)
+      throw OutputError("cannot replace " + (folder / name).string() + ": " + error.message());
+  }
+  if (!fs::exists(folder / "frames", error))
+    return;
   for (const auto& entry : fs::directory_iterator(folder / "frames", error))
     if (is_frame(entry.path().filename().string()))
       fs::remove(entry.path(), error);
@@ -42,43 +48,82 @@ void remove_old_series(const fs::path& folder)
     throw OutputError("cannot clear the folder " + (folder / "frames").string() + ": " + error.message());
 }
 
-std::string write_vtu(vtkUnstructuredGrid& grid, const fs::path& file)
-{
-  return write_vtk_xml(*vtkSmartPointer<vtkXMLUnstructuredGridWriter>::New(), grid, file);
-}
-
 } // namespace
 
-SeriesWriter::SeriesWriter(fs::path folder) : folder_(std::move(folder))
+SeriesWriter::SeriesWriter(fs::path folder, SeriesOptions options)
+    : folder_(std::move(folder)), options_(std::move(options))
 {
-  make_folder(folder_ / "frames");
+  make_folder(options_.vtu ? folder_ / "frames" : folder_);
   remove_old_series(folder_);
+  if (!options_.packed)
+    return;
+  try {
+    packed_ = std::make_unique<PackedWriter>((folder_ / "run.bss").string(), options_.accuracy);
+  } catch (const std::runtime_error& error) {
+    throw OutputError(fmt::format("cannot write {}: {}", (folder_ / "run.bss").string(), error.what()));
+  }
 }
+
+SeriesWriter::~SeriesWriter() = default;
 
 void SeriesWriter::write_frame(double time, vtkUnstructuredGrid& bird, vtkUnstructuredGrid* target)
 {
-  std::string entries;
-  std::uintmax_t bytes = 0;
-  const auto add = [&](vtkUnstructuredGrid& grid, const std::string& name, int part) {
-    const std::string piece = fmt::format("frames/{}_{:04}.vtu", name, frames_);
-    write_atomically(folder_ / piece, [&](const fs::path& file) { return write_vtu(grid, file); });
-    entries += fmt::format("    <DataSet timestep=\"{:.17g}\" part=\"{}\" name=\"{}\" file=\"{}\"/>\n", time,
-                           part, name, piece);
-    bytes += fs::file_size(folder_ / piece);
-  };
   if (!std::isfinite(time))
     throw OutputError(fmt::format("cannot write a frame at time {}: it is not finite", time));
-  add(bird, "bird", 0);
-  if (target)
-    add(*target, "target", 1);
+  const auto thin_bird = thin_grid(bird, options_);
+  const auto thin_target = target ? thin_grid(*target, options_) : nullptr;
+  if (options_.vtu)
+    write_vtu_frame(time, *thin_bird, thin_target);
+  if (packed_)
+    write_packed_frame(time, *thin_bird, thin_target);
+  ++frames_;
+}
 
+void SeriesWriter::write_vtu_frame(double time, vtkUnstructuredGrid& bird, vtkUnstructuredGrid* target)
+{
+  std::uintmax_t bytes = 0;
+  const auto write = [&](vtkUnstructuredGrid& grid, const char* name) {
+    const std::string piece = fmt::format("frames/{}_{:04}.vtu", name, frames_);
+    write_atomically(folder_ / piece, [&](const fs::path& file) {
+      return write_vtk_xml(*vtkSmartPointer<vtkXMLUnstructuredGridWriter>::New(), grid, file,
+                           options_.compression);
+    });
+    bytes += fs::file_size(folder_ / piece);
+    return piece;
+  };
+  const auto entry = [&](const char* name, int part, const std::string& piece) {
+    return fmt::format("    <DataSet timestep=\"{:.17g}\" part=\"{}\" name=\"{}\" file=\"{}\"/>\n", time,
+                       part, name, piece);
+  };
+  std::string entries = entry("bird", 0, write(bird, "bird"));
+  if (target) {
+    if (!target_ || !same_state(*target_, *target)) {
+      target_piece_ = write(*target, "target");
+      target_ = target;
+    }
+    entries += entry("target", 1, target_piece_);
+  }
   // Only now, with all its files whole, does the frame count.
-  write_text_atomically(pvd(), "<?xml version=\"1.0\"?>\n"
-                               "<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n" +
-                                   entries_ + entries + "  </Collection>\n</VTKFile>\n");
+  write_text_atomically(folder_ / "run.pvd",
+                        "<?xml version=\"1.0\"?>\n"
+                        "<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n" +
+                            entries_ + entries + "  </Collection>\n</VTKFile>\n");
   entries_ += entries;
   bytes_ += bytes;
-  ++frames_;
+}
+
+void SeriesWriter::write_packed_frame(double time, vtkUnstructuredGrid& bird, vtkUnstructuredGrid* target)
+{
+  std::vector<NamedGrid> pieces{{"bird", &bird}};
+  if (target)
+    pieces.emplace_back("target", target);
+  const std::uint64_t before = frames_ > 0 ? packed_->Bytes() : 0;
+  try {
+    packed_->Write(time, pieces);
+  } catch (const std::runtime_error& error) {
+    throw OutputError(fmt::format("cannot write {}: {}", (folder_ / "run.bss").string(), error.what()));
+  }
+  bytes_ += packed_->Bytes() - before;
 }
 
 } // namespace birdstrike

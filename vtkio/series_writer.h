@@ -2,22 +2,31 @@
 // A run's frames on disk, as a series that ParaView opens at any moment, also after the run was killed.
 #pragma once
 
+#include "vtkio/series_options.h"
+
+#include <vtkSmartPointer.h>
+
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 
+class PackedWriter;
 class vtkUnstructuredGrid;
 
 namespace birdstrike {
 
 //! Writes folder/frames/bird_0000.vtu, target_0000.vtu, ... and folder/run.pvd, which lists only complete
-//! frames. Every file is written under a temporary name and then renamed.
+//! frames. Every file is written under a temporary name and then renamed. While a target does not change, frames share
+//! the file of the first that shows it so. Or, or besides, folder/run.bss, which only grows: a frame that a kill cuts
+//! short is passed over by its reader.
 class SeriesWriter
 {
 public:
   //! Makes folder and folder/frames, and removes the series that an earlier run left there.
   //! \throw OutputError naming the file and the reason
-  explicit SeriesWriter(std::filesystem::path folder);
+  explicit SeriesWriter(std::filesystem::path folder, SeriesOptions options = {});
+  ~SeriesWriter();
 
   //! Add a state to the series.
   //! \param time    physical time [s]; later than the one before
@@ -28,11 +37,19 @@ public:
 
   std::size_t frames() const { return frames_; }  //!< written so far
   std::uintmax_t bytes() const { return bytes_; } //!< size of all frames written so far
-  std::filesystem::path pvd() const { return folder_ / "run.pvd"; }
+  //! What opens the series: run.pvd, or run.bss where there is no other.
+  std::filesystem::path path() const { return folder_ / (options_.vtu ? "run.pvd" : "run.bss"); }
 
 private:
+  void write_vtu_frame(double time, vtkUnstructuredGrid& bird, vtkUnstructuredGrid* target);
+  void write_packed_frame(double time, vtkUnstructuredGrid& bird, vtkUnstructuredGrid* target);
+
   std::filesystem::path folder_;
-  std::string entries_; //!< the DataSet elements of run.pvd so far
+  SeriesOptions options_;
+  std::unique_ptr<PackedWriter> packed_;
+  vtkSmartPointer<vtkUnstructuredGrid> target_; //!< as it was written last,
+  std::string target_piece_;                    //!< and where
+  std::string entries_;                         //!< the DataSet elements of run.pvd so far
   std::size_t frames_ = 0;
   std::uintmax_t bytes_ = 0;
 };

@@ -54,18 +54,18 @@ int vtkBirdStrikeSeriesReader::RequestData(vtkInformation*, vtkInformationVector
   vtkInformation* out = outputs->GetInformationObject(0);
   const double asked = out->Has(Pipeline::UPDATE_TIME_STEP()) ? out->Get(Pipeline::UPDATE_TIME_STEP())
                                                               : this->Index.steps.front().time;
-  const auto& step = this->Index.steps[this->Index.nearest(asked)];
-  unsigned int block = 0;
-  for (const auto& piece : step.pieces) {
-    try {
-      blocks->SetBlock(block, birdstrike::read_grid(piece.file));
-    } catch (const std::exception& error) {
-      vtkErrorMacro(<< error.what());
-      blocks->Initialize();
-      return 1; // never 0: VTK's loop over time steps would then turn for ever
+  const std::size_t step = this->Index.nearest(asked);
+  try {
+    unsigned int block = 0;
+    for (const auto& piece : birdstrike::read_pieces(this->Index, step)) {
+      blocks->SetBlock(block, piece.second);
+      blocks->GetMetaData(block++)->Set(vtkCompositeDataSet::NAME(), piece.first.c_str());
     }
-    blocks->GetMetaData(block++)->Set(vtkCompositeDataSet::NAME(), piece.name.c_str());
+  } catch (const std::exception& error) {
+    vtkErrorMacro(<< error.what());
+    blocks->Initialize();
+    return 1; // never 0: VTK's loop over time steps would then turn for ever
   }
-  blocks->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), step.time);
+  blocks->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), this->Index.steps[step].time);
   return 1;
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkBirdStrikeSeriesReader
- * @brief Head of a VTK pipeline: a .pvd series of unstructured grids, one time step in memory.
+ * @brief Head of a VTK pipeline: a series of unstructured grids (.pvd or packed), one time step in memory.
  *
- * Input:  FileName, a .pvd.
+ * Input:  FileName, a .pvd, a packed series (.bss) or the folder of a run.
  * Output: vtkMultiBlockDataSet, one named block per piece of the requested time step ("bird", "target");
  *         TIME_STEPS and TIME_RANGE [s].
  * Error:  vtkErrorMacro and an empty output when the .pvd or a frame is missing or broken.

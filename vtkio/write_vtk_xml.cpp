@@ -6,6 +6,8 @@
 
 #include <vtkDataObject.h>
 #include <vtkErrorCode.h>
+#include <vtkLZ4DataCompressor.h>
+#include <vtkLZMADataCompressor.h>
 #include <vtkSmartPointer.h>
 #include <vtkXMLWriter.h>
 #include <vtkZLibDataCompressor.h>
@@ -14,18 +16,44 @@
 #include <cstring>
 
 namespace birdstrike {
+namespace {
 
-std::string write_vtk_xml(vtkXMLWriter& writer, vtkDataObject& data, const std::filesystem::path& file)
+vtkSmartPointer<vtkDataCompressor> compressor_for(Compression compression)
+{
+  vtkSmartPointer<vtkDataCompressor> compressor;
+  switch (compression) {
+  case Compression::none:
+    break;
+  case Compression::lz4:
+    compressor = vtkSmartPointer<vtkLZ4DataCompressor>::New();
+    break;
+  case Compression::zlib:
+    compressor = vtkSmartPointer<vtkZLibDataCompressor>::New();
+    break;
+  case Compression::lzma:
+    compressor = vtkSmartPointer<vtkLZMADataCompressor>::New();
+    break;
+  }
+  if (compressor)
+    compressor->SetCompressionLevel(1); // nearly as small as the higher ones, two to four times as fast
+  return compressor;
+}
+
+} // namespace
+
+std::string write_vtk_xml(vtkXMLWriter& writer, vtkDataObject& data, const std::filesystem::path& file,
+                          Compression compression)
 {
   auto errors = vtkSmartPointer<VtkErrors>::New();
-  auto compressor = vtkSmartPointer<vtkZLibDataCompressor>::New();
-  compressor->SetCompressionLevel(1); // as small as level 6, twice as fast
   errors->watch(writer);
   writer.SetFileName(file.string().c_str());
   writer.SetInputDataObject(&data);
   writer.SetDataModeToAppended();
   writer.EncodeAppendedDataOff();
-  writer.SetCompressor(compressor);
+  writer.SetCompressor(compressor_for(compression));
+  if (compression == Compression::lzma)
+    writer.SetBlockSize(1 << 20); // a dictionary needs something to work on
+  writer.SetIdTypeToInt32();
   errno = 0;
   const bool written = writer.Write() == 1;
   const int system_error = errno;

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// birdstrike series: a series in another form.
+#include "cases/commands.h"
+#include "cases/series_form.h"
+#include "core/error.h"
+#include "vtkio/series_reader.h"
+#include "vtkio/series_writer.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <cstdio>
+#include <memory>
+
+namespace fs = std::filesystem;
+
+namespace birdstrike {
+namespace {
+
+struct Options
+{
+  fs::path input, output;
+  SeriesForm form;
+  int every = 1;
+  bool quiet = false;
+};
+
+void convert(const Options& options)
+{
+  const SeriesIndex index = read_series_index(options.input);
+  std::error_code ignored;
+  require(
+      !fs::equivalent(index.pvd.parent_path().empty() ? "." : index.pvd.parent_path(), options.output,
+                      ignored),
+      fmt::format("{}: the series would be written over the one that is read; choose another folder with -o",
+                  options.output.string()));
+  const Frame first = read_frame(index, 0); // before anything is touched on the disk
+  require(first.bird != nullptr, fmt::format("{}: there is no bird in this series", index.pvd.string()));
+  SeriesWriter writer(options.output, series_options(options.form));
+  const std::size_t last = index.steps.size() - 1, every = static_cast<std::size_t>(options.every);
+  for (std::size_t step = 0; step <= last; ++step) {
+    if (step % every != 0 && step != last)
+      continue;
+    const Frame frame = read_frame(index, step);
+    writer.write_frame(frame.time, *frame.bird, frame.target);
+  }
+  if (!options.quiet)
+    fmt::print("{}: {} frames, {:.1f} MB\n", writer.path().string(), writer.frames(),
+               1e-6 * static_cast<double>(writer.bytes()));
+}
+
+} // namespace
+
+void add_series_command(CLI::App& program)
+{
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      program.add_subcommand("series", "A series in another form: smaller, or for other programs");
+  command->add_option("RUN", options->input, "Series (run.pvd, run.bss) or folder of a run")->required();
+  command->add_option("-o,--output", options->output, "Folder of the new series")->required();
+  command
+      ->add_option(
+          "--format", options->form.format,
+          "vtu opens everywhere; packed is one small file, which this program and the ParaView plugin read")
+      ->check(CLI::IsMember(series_formats()))
+      ->capture_default_str();
+  command->add_option("--precision", options->form.precision, "single or double")
+      ->check(CLI::IsMember(series_precisions()))
+      ->capture_default_str();
+  command->add_option("--compression", options->form.compression, "of .vtu files: none, lz4, zlib, lzma")
+      ->check(CLI::IsMember(series_compressions()))
+      ->capture_default_str();
+  command
+      ->add_option("--accuracy", options->form.accuracy,
+                   "of packed frames: largest error, over the largest value of the field so far")
+      ->check(CLI::Range(0.0, 0.1))
+      ->capture_default_str();
+  command
+      ->add_option("--fields", options->form.fields, "Names of the fields that are wanted; all if not given")
+      ->check(CLI::IsMember(series_fields()))
+      ->delimiter(',');
+  command->add_option("--every", options->every, "Every how many frames one is taken; the last one always is")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  command->add_flag("--quiet", options->quiet, "Say nothing on the screen but errors");
+  command->callback([options] { convert(*options); });
+}
+
+} // namespace birdstrike
