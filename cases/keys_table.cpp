@@ -166,7 +166,7 @@ std::vector<Key> rows_after_target()
 
     {"run.end", time, "ms", true, above(0), "simulated time; for a column by default until four fifths of it are shocked", SLOT(run.end_time), nullptr, nullptr, &with_column},
     {"run.frames", number, "", false, within(1, 100000), "states written after the one at the start, evenly spaced", SLOT(run.frames), nullptr, &by_frames},
-    {"run.interval", time, "us", false, above(0), "time between the states that are written, in place of their number", SLOT(frame_interval)},
+    {"run.interval", time, "us", false, above(0), "time between the states that are written, where their number does not say it", SLOT(frame_interval)},
     {"run.contact_interval", time, "us", false, above(0), "time between more states around the first contact; none if not given", SLOT(contact_interval)},
     {"run.contact_window", time, "ms", false, above(0), "how long after the first contact they are written", SLOT(contact_window), nullptr, &dense_at_contact},
     {"run.courant", number, "", false, above_within(0, 1), "share of the largest stable time step", SLOT(run.courant)},
@@ -178,9 +178,9 @@ std::vector<Key> rows_after_target()
     {"run.smoothing_growth", number, "", false, at_least(1), "largest smoothing length over its first value", SLOT(run.smoothing_growth)},
 
     {"series.format", number, "", false, {}, "vtu: run.pvd and a file a state, which open everywhere; packed: run.bss, one file of a twentieth of the size for this program and the ParaView plugin", SLOT(series.format), series_formats},
-    {"series.precision", number, "", false, {}, "of the places and fields that are written", SLOT(series.precision), series_precisions},
+    {"series.precision", number, "", false, {}, "of the positions and fields that are written", SLOT(series.precision), series_precisions},
     {"series.compression", number, "", false, {}, "of .vtu files; lzma is a sixth smaller than zlib and takes five times as long, lz4 the reverse", SLOT(series.compression), series_compressions, &writes_vtu},
-    {"series.accuracy", number, "", false, within(0, 0.1), "largest error of a packed value, over the largest magnitude of its field so far; of places, over the spacing; 0: none", SLOT(series.accuracy), nullptr, &packs},
+    {"series.accuracy", number, "", false, within(0, 0.1), "largest error of a packed value, over the largest magnitude of its field so far; of positions, over the spacing; 0: none", SLOT(series.accuracy), nullptr, &packs},
     {"series.fields", number, "", false, {}, "fields that are written, besides part and id; all if not given", SLOT(series.fields), series_fields},
   };
 }
