@@ -65,8 +65,9 @@ void RunningPeaks::Put(vtkDataSetAttributes* data, const std::string& name, vtkD
                        vtkIdType rows) const
 {
   auto peaks = vtkSmartPointer<vtkDoubleArray>::New(), times = vtkSmartPointer<vtkDoubleArray>::New();
-  peaks->SetName(name.c_str());
-  times->SetName(("time_of_" + name).c_str());
+  const std::string own = data->HasArray(name.c_str()) ? name + "_of_frames" : name;
+  peaks->SetName(own.c_str());
+  times->SetName(("time_of_" + own).c_str());
   for (vtkIdType row = 0; row < rows; ++row) {
     auto place = static_cast<std::size_t>(row);
     if (this->ById) {

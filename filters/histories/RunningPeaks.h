@@ -22,7 +22,8 @@ public:
   //! \return false if the number of rows has changed and there are no ids, or they come and go
   bool Add(double time, vtkDataArray* values, int component, vtkDataArray* ids, bool smallest);
 
-  //! Put the arrays \p name and "time_of_" + \p name for rows with these \p ids; NaN where a row had no value.
+  //! Put the arrays \p name and "time_of_" + \p name for rows with these \p ids; NaN where a row had no value. The data's own
+  //! array of that name is kept: "_of_frames" is then added to both names.
   void Put(vtkDataSetAttributes* data, const std::string& name, vtkDataArray* ids, vtkIdType rows) const;
 
   std::size_t Rows() const { return this->Peak.size(); }
