@@ -61,15 +61,13 @@ void CopyTree(vtkDataObject* from, vtkDataObject* to)
 
 } // namespace
 
-vtkPeakOverTime::vtkPeakOverTime()
-{
-  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "contact_pressure");
-}
+vtkPeakOverTime::vtkPeakOverTime() = default;
 vtkPeakOverTime::~vtkPeakOverTime() = default;
 
 void vtkPeakOverTime::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "ArrayName: " << this->ArrayName << "\n";
   os << indent << "Component: " << this->Component << "\n";
   os << indent << "Smallest: " << this->Smallest << "\n";
   os << indent << "UpToCurrentTime: " << this->UpToCurrentTime << "\n";
@@ -135,18 +133,10 @@ int vtkPeakOverTime::RequestUpdateExtent(vtkInformation* request, vtkInformation
 
 vtkDataArray* vtkPeakOverTime::ArrayOf(vtkDataSet* leaf, bool& onPoints) const
 {
-  auto* self = const_cast<vtkPeakOverTime*>(this); // VTK's getter is not const
-  vtkInformation* chosen = self->GetInputArrayInformation(0);
-  const char* name = chosen->Get(vtkDataObject::FIELD_NAME());
-  const int kind = chosen->Get(vtkDataObject::FIELD_ASSOCIATION());
-  const bool anywhere =
-      kind != vtkDataObject::FIELD_ASSOCIATION_POINTS && kind != vtkDataObject::FIELD_ASSOCIATION_CELLS;
-  vtkDataArray* array = nullptr;
-  if (name && kind != vtkDataObject::FIELD_ASSOCIATION_CELLS)
-    array = leaf->GetPointData()->GetArray(name);
+  vtkDataArray* array = leaf->GetPointData()->GetArray(this->ArrayName.c_str());
   onPoints = array != nullptr;
-  if (name && !array && (anywhere || kind == vtkDataObject::FIELD_ASSOCIATION_CELLS))
-    array = leaf->GetCellData()->GetArray(name);
+  if (!array)
+    array = leaf->GetCellData()->GetArray(this->ArrayName.c_str());
   const vtkIdType rows = onPoints ? leaf->GetNumberOfPoints() : leaf->GetNumberOfCells();
   return array && array->GetNumberOfTuples() == rows ? array : nullptr;
 }
@@ -197,9 +187,7 @@ bool vtkPeakOverTime::Add(double time, vtkDataObject* input)
 
 std::string vtkPeakOverTime::ResultName() const
 {
-  auto* self = const_cast<vtkPeakOverTime*>(this); // VTK's getter is not const
-  const char* name = self->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-  return (this->Smallest ? "lowest_" : "peak_") + std::string(name ? name : "") +
+  return (this->Smallest ? "lowest_" : "peak_") + this->ArrayName +
          (this->ComponentName.empty() ? "" : "_" + this->ComponentName);
 }
 
@@ -247,9 +235,9 @@ int vtkPeakOverTime::RequestData(vtkInformation* request, vtkInformationVector**
   }
   request->Remove(Pipeline::CONTINUE_EXECUTING());
   if (fine && this->Peaks.empty() && this->Lost.empty() && this->Done > 0) {
-    vtkErrorMacro("No dataset of the input has the chosen array '"
-                  << this->ResultName().substr(this->ResultName().find('_') + 1) << "' at any of the "
-                  << this->Done << " time steps; choose one that it has.");
+    vtkErrorMacro("No dataset of the input has the point or cell array '"
+                  << this->ArrayName << "' at any of the " << this->Done
+                  << " time steps; set ArrayName to one that it has.");
     fine = false;
   }
   if (!fine) {

@@ -3,7 +3,7 @@
  * @class vtkPeakOverTime
  * @brief Largest value that each point or cell has had over a time series, and when: an envelope map.
  *
- * Input:  any data; the array to follow is that of SetInputArrayToProcess(0, ...), on points or cells, a scalar or a
+ * Input:  any data; the array ArrayName is followed, on points or, where these have none, on cells, a scalar or a
  *         vector, of any unit. Leaves without it are passed through. Points are followed by the point array
  *         IdArrayName where there is one (particles may be sorted, come and go), else, as cells always, by their row.
  *
@@ -40,6 +40,11 @@ public:
   static vtkPeakOverTime* New();
   vtkTypeMacro(vtkPeakOverTime, vtkPassInputTypeAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{ Name of the point or cell array to follow. Default "contact_pressure".
+  vtkSetStdStringFromCharMacro(ArrayName);
+  vtkGetCharFromStdStringMacro(ArrayName);
+  ///@}
 
   ///@{ Which component of a vector is followed, from 0; -1, the default, is its length.
   vtkSetClampMacro(Component, int, -1, 8);
@@ -96,6 +101,7 @@ private:
   vtkDataArray* ArrayOf(vtkDataSet* leaf, bool& onPoints) const;
   vtkDataArray* IdsOf(vtkDataSet* leaf, bool onPoints) const;
 
+  std::string ArrayName = "contact_pressure";
   int Component = -1;
   bool Smallest = false;
   bool UpToCurrentTime = false;
