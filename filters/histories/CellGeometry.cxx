@@ -6,6 +6,7 @@
 #include "vtkDataSet.h"
 #include "vtkIdList.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -19,6 +20,33 @@ Vector Cross(const Vector& a, const Vector& b)
 }
 
 Vector Minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+
+Vector Between(const Vector& a, const Vector& b)
+{
+  return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
+}
+
+double Length(const Vector& v) { return std::hypot(v[0], v[1], v[2]); }
+
+//! Halves the edges of the triangle where the border may cut it; the middle of the smallest ones decides.
+double ShareOfTriangle(const std::array<Vector, 3>& corners,
+                       const std::function<double(const Vector&)>& distance, int halvings)
+{
+  const auto& [a, b, c] = corners;
+  const Vector middle{(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3, (a[2] + b[2] + c[2]) / 3};
+  const double off = distance(middle);
+  double reach = 0;
+  for (const Vector& corner : corners)
+    reach = std::max(reach, Length(Minus(corner, middle)));
+  if (halvings == 0 || std::abs(off) >= reach)
+    return off <= 0 ? 1 : 0;
+  const Vector ab = Between(a, b), bc = Between(b, c), ca = Between(c, a);
+  double sum = 0;
+  for (const std::array<Vector, 3>& part :
+       {std::array{a, ab, ca}, std::array{ab, b, bc}, std::array{ca, bc, c}, std::array{ab, bc, ca}})
+    sum += ShareOfTriangle(part, distance, halvings - 1) / 4;
+  return sum;
+}
 
 } // namespace
 
@@ -51,31 +79,17 @@ Vector CellGeometry::AreaVector() const
   return sum;
 }
 
-double CellGeometry::Share(const std::function<bool(const Vector&)>& isInside) const
+double CellGeometry::Share(const std::function<double(const Vector&)>& distance) const
 {
   if (!this->Flat)
-    return isInside(this->Middle) ? 1 : 0;
-  // Each triangle of the fan about the middle in smaller ones of one shape; their middles stand for them.
-  constexpr int parts = 8;
+    return distance(this->Middle) <= 0 ? 1 : 0;
   double inside = 0, all = 0;
   for (std::size_t k = 0; k < this->Corners.size(); ++k) {
-    const Vector a = Minus(this->Corners[k], this->Middle);
-    const Vector b = Minus(this->Corners[(k + 1) % this->Corners.size()], this->Middle);
-    const Vector normal = Cross(a, b);
-    const double weight = std::hypot(normal[0], normal[1], normal[2]);
-    const auto count = [&](double u, double v) {
-      Vector place{};
-      for (std::size_t i = 0; i < 3; ++i)
-        place[i] = this->Middle[i] + (u * a[i] + v * b[i]) / (3 * parts);
-      all += weight;
-      inside += isInside(place) ? weight : 0;
-    };
-    for (int i = 0; i < parts; ++i)
-      for (int j = 0; i + j < parts; ++j) {
-        count(3 * i + 1, 3 * j + 1);
-        if (i + j + 1 < parts)
-          count(3 * i + 2, 3 * j + 2);
-      }
+    const Vector& a = this->Corners[k];
+    const Vector& b = this->Corners[(k + 1) % this->Corners.size()];
+    const double area = Length(Cross(Minus(a, this->Middle), Minus(b, this->Middle)));
+    inside += area * ShareOfTriangle({this->Middle, a, b}, distance, 6);
+    all += area;
   }
   return all > 0 ? inside / all : 0;
 }

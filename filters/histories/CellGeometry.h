@@ -22,9 +22,10 @@ public:
   //! Half the sum of the cross products about the middle [m2]: the normal times the area, for a flat cell.
   Vector AreaVector() const;
 
-  //! Share of the cell in a region, from points spread evenly over it; of a cell that is no polygon 0 or 1, for the middle
-  //! of its corners.
-  double Share(const std::function<bool(const Vector&)>& isInside) const;
+  //! Share of the cell in a region, to some parts in ten thousand where the border cuts it; of a cell that is no polygon 0
+  //! or 1, for the middle of its corners.
+  //! \param distance  from the region's border, below 0 inside
+  double Share(const std::function<double(const Vector&)>& distance) const;
 
 private:
   bool Flat = false;

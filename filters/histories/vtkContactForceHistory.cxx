@@ -117,7 +117,7 @@ void vtkContactForceHistory::TakeHold(double time, const std::vector<Leaf>& leav
     vtkWarningMacro("The target's number of cells or points is another at "
                     << time << " s than before: the region takes hold of the target anew where it is then.");
   this->Held.clear();
-  const auto isInside = [this](const Vector& place) { return this->IsInside(place); };
+  const auto distance = [this](const Vector& place) { return this->DistanceTo(place); };
   auto scratch = vtkSmartPointer<vtkIdList>::New();
   CellGeometry cell;
   for (const Leaf& leaf : leaves) {
@@ -125,12 +125,12 @@ void vtkContactForceHistory::TakeHold(double time, const std::vector<Leaf>& leav
     for (vtkIdType c = 0; c < leaf.Data->GetNumberOfCells(); ++c) {
       if (!this->IsEverywhere())
         cell.Load(leaf.Data, c, scratch);
-      shares.OfCells.push_back(this->IsEverywhere() ? 1 : cell.Share(isInside));
+      shares.OfCells.push_back(this->IsEverywhere() ? 1 : cell.Share(distance));
     }
     for (vtkIdType i = 0; i < leaf.Data->GetNumberOfPoints(); ++i) {
       Vector place{};
       leaf.Data->GetPoint(i, place.data());
-      shares.OfPoints.push_back(isInside(place) ? 1 : 0);
+      shares.OfPoints.push_back(this->IsInside(place) ? 1 : 0);
     }
     this->Held.push_back(std::move(shares));
   }

@@ -2,7 +2,9 @@
 // Base of histories that can be restricted to a region of space.
 #include "vtkRegionTableAlgorithm.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 void vtkRegionTableAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
@@ -41,24 +43,27 @@ bool vtkRegionTableAlgorithm::CheckRegion()
   return true;
 }
 
-bool vtkRegionTableAlgorithm::IsInside(const std::array<double, 3>& place) const
+double vtkRegionTableAlgorithm::DistanceTo(const std::array<double, 3>& place) const
 {
   const double d[3] = {place[0] - this->Center[0], place[1] - this->Center[1], place[2] - this->Center[2]};
   switch (this->Region) {
   case Sphere:
-    return std::hypot(d[0], d[1], d[2]) <= this->Radius;
-  case Box:
+    return std::hypot(d[0], d[1], d[2]) - this->Radius;
+  case Box: {
+    double over[3]; // beyond each pair of faces
     for (int k = 0; k < 3; ++k)
-      if (!(2 * std::abs(d[k]) <= this->BoxSize[k]))
-        return false;
-    return true;
+      over[k] = std::abs(d[k]) - this->BoxSize[k] / 2;
+    const double most = std::max({over[0], over[1], over[2]});
+    return most <= 0 ? most
+                     : std::hypot(std::max(over[0], 0.0), std::max(over[1], 0.0), std::max(over[2], 0.0));
+  }
   case Cylinder: {
     const double* a = this->Axis;
     const double across =
         std::hypot(a[1] * d[2] - a[2] * d[1], a[2] * d[0] - a[0] * d[2], a[0] * d[1] - a[1] * d[0]);
-    return across <= this->Radius * std::hypot(a[0], a[1], a[2]);
+    return across / std::hypot(a[0], a[1], a[2]) - this->Radius;
   }
   default:
-    return true;
+    return -std::numeric_limits<double>::infinity();
   }
 }

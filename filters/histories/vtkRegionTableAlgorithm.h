@@ -59,8 +59,10 @@ protected:
   //! False, and an error has been reported, if the region's numbers are none.
   bool CheckRegion();
   bool IsEverywhere() const { return this->Region == Everywhere; }
-  //! Whether a place [m] is in the region, which CheckRegion has found good.
-  bool IsInside(const std::array<double, 3>& place) const;
+  //! Distance of a place from the border of the region, which CheckRegion has found good [m]: below 0 inside, 0 or above
+  //! outside; minus infinity everywhere.
+  double DistanceTo(const std::array<double, 3>& place) const;
+  bool IsInside(const std::array<double, 3>& place) const { return this->DistanceTo(place) <= 0; }
 
 private:
   vtkRegionTableAlgorithm(const vtkRegionTableAlgorithm&) = delete;
