@@ -2,6 +2,7 @@
 // Clouds of particles, as frames have them, for the tests of the filters.
 #pragma once
 
+#include <vtkCommand.h>
 #include <vtkDoubleArray.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
@@ -75,3 +76,24 @@ inline vtkSmartPointer<vtkPolyData> to_data(const Cloud& cloud)
   data->GetPointData()->AddArray(part);
   return data;
 }
+
+//! All that a filter complains about, one after the other; it then prints nothing.
+class Messages
+{
+public:
+  void watch(vtkObject& object)
+  {
+    object.AddObserver(vtkCommand::ErrorEvent, listener);
+    object.AddObserver(vtkCommand::WarningEvent, listener);
+  }
+  const std::string& text() const { return listener->all; }
+
+private:
+  struct Listener : vtkCommand
+  {
+    static Listener* New() { return new Listener; }
+    void Execute(vtkObject*, unsigned long, void* data) override { all += static_cast<const char*>(data); }
+    std::string all;
+  };
+  vtkNew<Listener> listener;
+};
