@@ -16,9 +16,11 @@ import os
 import sys
 from builtins import abs, all, any, max, min, sum  # a chart's script leaves numpy's in their places, see main
 
+import numpy
 import paraview
 from paraview import servermanager
 from paraview import simple as pv
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 # Colours of parts and the map of pressures, as in vtkio/palette.cpp: people with colour-blindness can tell them apart.
 PART_COLOURS = [("head", "0072b2"), ("neck", "56b4e9"), ("torso", "cf8f3c"), ("body", "cf8f3c"), ("bone", "009e73"),
@@ -60,8 +62,10 @@ def options():
     parser.add_argument("--target", default="", help="array of the target: contact_pressure (default of a rigid one), "
                         "displacement (default of the others), plastic_strain ...")
     parser.add_argument("--skin", action="store_true", help="the bird's skin in place of balls; needs the plugin")
+    parser.add_argument("--whole", action="store_true", help="the whole bird; otherwise only the half behind its middle is "
+                        "shown where it is coloured by numbers, since the pressure at a free surface is zero")
     parser.add_argument("--plugin", default="", help="BirdStrike.so to load first, see share/paraview/build-plugin")
-    parser.add_argument("--time", type=float, help="seconds; default: when the contact force is largest")
+    parser.add_argument("--time", type=float, help="seconds; default: the middle of the impact")
     parser.add_argument("--save", default="", metavar="FILE.png", help="save a picture")
     parser.add_argument("--film", default="", metavar="FILE", help="save a film: .avi, .ogv, or .png for single pictures")
     parser.add_argument("--size", default="1920x1080", help="of picture and film, default 1920x1080")
@@ -125,13 +129,14 @@ def summary(folder):
         return {}
 
 
-def time_of_interest(times, histories):
-    """The frame nearest to when half of the impulse has been given; the middle one of a run without."""
+def time_of_interest(times, histories, share):
+    """The frame nearest to when a share of the impulse has been given; the middle one of a run without."""
     impulse = [abs(value) for value in histories.get("impulse_x[N s]", [])]
     if not impulse or max(impulse) == 0:
         return times[len(times) // 2]
-    half = next(k for k, value in enumerate(impulse) if value >= max(impulse) / 2)
-    return min(times, key=lambda t: abs(t - histories["time[s]"][half]))
+    enough = share * max(impulse)
+    row = next(k for k, value in enumerate(impulse) if value >= enough)
+    return min(times, key=lambda t: abs(t - histories["time[s]"][row]))
 
 
 # ---- bird and target -------------------------------------------------------------------------------------------------
@@ -186,14 +191,11 @@ def pieces(reader, time):
 
 
 def part_names(bird):
-    data = servermanager.Fetch(bird.source)
-    leaf = data
-    while leaf is not None and leaf.IsA("vtkCompositeDataSet"):
-        iterator = leaf.NewIterator()
-        iterator.InitTraversal()
-        leaf = iterator.GetCurrentDataObject()
-    names = leaf.GetFieldData().GetAbstractArray("part_names") if leaf is not None else None
-    return [names.GetValue(k) for k in range(names.GetNumberOfValues())] if names else []
+    for leaf in leaves(servermanager.Fetch(bird.source)):
+        names = leaf.GetFieldData().GetAbstractArray("part_names")
+        if names:
+            return [names.GetValue(k) for k in range(names.GetNumberOfValues())]
+    return []
 
 
 UNITS = {"pressure": ("MPa", 1e-6), "mean_pressure": ("MPa", 1e-6), "contact_pressure": ("MPa", 1e-6),
@@ -255,19 +257,36 @@ def show_bar(lut, view, title, display, visible):
         bar.AutomaticLabelFormat = 0
         bar.LabelFormat = bar.RangeLabelFormat = "%.4g"
     bar.WindowLocation = "Any Location"
-    bar.Position = [0.03, 0.53]
+    bar.Position = [max(0.03, 0.0047 * len(title)), 0.53]
     display.SetScalarBarVisibility(view, visible)
 
 
-def largest_over(source, association, title, times):
-    """Largest value over some frames, rounded up to a number that reads well."""
-    largest = 0
+def largest_over(source, association, title, times, share):
+    """What a share of the values in some frames does not exceed, rounded up to a number that reads well."""
+    values = [0.0]
     for time in times[::max(1, len(times) // 12)] + times[-1:]:
         source.UpdatePipeline(time)
-        data = source.PointData if association == "POINTS" else source.CellData
-        if data.GetArray(title):
-            largest = max(largest, data.GetArray(title).GetRange(0)[1])
-    return round_up(largest) if largest > 0 else 1
+        for leaf in leaves(servermanager.Fetch(source)):
+            array = (leaf.GetPointData() if association == "POINTS" else leaf.GetCellData()).GetArray(title)
+            if array and array.GetNumberOfTuples() > 0:
+                numbers = vtk_to_numpy(array)
+                numbers = numbers if numbers.ndim == 1 else numpy.linalg.norm(numbers, axis=1)
+                numbers = numbers[numpy.isfinite(numbers)]
+                if numbers.size > 0:
+                    values.append(float(numpy.quantile(numbers, share)))
+    return round_up(max(values)) if max(values) > 0 else 1
+
+
+def leaves(data):
+    if data is None or not data.IsA("vtkCompositeDataSet"):
+        return [] if data is None else [data]
+    iterator = data.NewIterator()
+    found = []
+    iterator.InitTraversal()
+    while not iterator.IsDoneWithTraversal():
+        found.append(iterator.GetCurrentDataObject())
+        iterator.GoToNextItem()
+    return found
 
 
 def round_up(value):
@@ -279,6 +298,11 @@ def show_bird(bird, view, args, names, times):
     item, title, association = bird.source, "part", "POINTS"
     if args.colour != "part":
         item, title, association = scaled(bird, args.colour)
+    if args.colour != "part" and not args.whole:
+        middle = (bird.bounds()[2] + bird.bounds()[3]) / 2
+        item = pv.Clip(registrationName="cut", Input=item, ClipType="Plane", Invert=0)
+        item.ClipType.Origin, item.ClipType.Normal = [0, middle, 0], [0, 1, 0]
+        item.UpdatePipeline(times[0])
     if args.skin:
         make = getattr(pv, "BirdSurface", None)
         if make is None:
@@ -296,7 +320,8 @@ def show_bird(bird, view, args, names, times):
     if args.colour == "part" and bird.find("part") and names:
         colour_by_parts(display, view, names)
     elif args.colour != "part":
-        colour_by_number(display, view, association, title, largest_over(item, association, title, times))
+        # Single particles have far higher pressures than the others: they share the brightest colour.
+        colour_by_number(display, view, association, title, largest_over(item, association, title, times, 0.995))
     else:
         display.ColorArrayName = ["POINTS", ""]
         display.DiffuseColor = display.AmbientColor = part_colour("body", 0)
@@ -332,7 +357,7 @@ def show_target(target, view, args, times):
     display.Representation = "Surface With Edges"
     display.EdgeColor = [0.45, 0.45, 0.45]
     display.LineWidth = 0.3
-    colour_by_number(display, view, association, title, largest_over(item, association, title, times))
+    colour_by_number(display, view, association, title, largest_over(item, association, title, times, 1))
     return title
 
 
@@ -365,8 +390,8 @@ def show_time(reader, view):
     style(pv.Show(stamp, view), 18, "Lower Center")
 
 
-def look(view, bounds, direction, up, aspect, margin=1.1):
-    """Parallel view along a direction that just holds a box."""
+def look(view, bounds, direction, up, aspect, margin=1.15, room=0.2):
+    """Parallel view along a direction that just holds a box, beside some room for the colour bar."""
     def unit(v):
         length = math.sqrt(sum(x * x for x in v))
         return [x / length for x in v]
@@ -385,10 +410,12 @@ def look(view, bounds, direction, up, aspect, margin=1.1):
 
     distance = 4 * math.sqrt(sum(h * h for h in half)) + 1e-6
     view.CameraParallelProjection = 1
-    view.CameraFocalPoint = middle
-    view.CameraPosition = [middle[k] - distance * forward[k] for k in range(3)]
     view.CameraViewUp = upward
-    view.CameraParallelScale = margin * max(reach(upward), reach(right) / aspect, 1e-6)
+    scale = margin * max(reach(upward), reach(right) / (aspect * (1 - room)), 1e-6)
+    aside = [room * scale * aspect * right[k] for k in range(3)]
+    view.CameraParallelScale = scale
+    view.CameraFocalPoint = [middle[k] - aside[k] for k in range(3)]
+    view.CameraPosition = [middle[k] - aside[k] - distance * forward[k] for k in range(3)]
 
 
 def union(a, b):
@@ -511,8 +538,10 @@ def main():
     if not times:
         fail(f"{reader.FileName} has no frames yet")
     histories = table(folder, "histories.csv")
-    time = min(times, key=lambda t: abs(t - args.time)) if args.time is not None else time_of_interest(times, histories)
     bird, target = pieces(reader, times[0])
+    bends = target is not None and target.find("velocity") is not None
+    time = (min(times, key=lambda t: abs(t - args.time)) if args.time is not None else
+            time_of_interest(times, histories, 0.8 if bends else 0.5))
     names = part_names(bird) if bird.find("part") else []
 
     start = bird.bounds()
@@ -537,10 +566,11 @@ def main():
 
     aspect = (width / len(views)) / (height * (0.6 if histories else 1))
     box = union(shown, common(target.bounds(), grown(shown, 0.1))) if target else shown
-    look(side, box, [0.45, 1, -0.25], [0, 0, 1], aspect)
+    bar = args.colour != "part" or len(names) > 1
+    look(side, box, [0.35, 1, -0.15], [0, 0, 1], aspect, room=0.15 if bar else 0)
     if front:
         area = common(target.bounds(), grown(shown, 0.2))
-        if target.find("velocity"):
+        if bends:
             area = target.bounds()
         look(front, area, [1, 0, 0], [0, 0, 1], aspect, 1.25)
 
