@@ -546,7 +546,9 @@ def main():
 
     start = bird.bounds()
     bird.source.UpdatePipeline(time)
-    shown = union(start, bird.bounds())
+    shown = bird.bounds()
+    if paraview.fromGUI or args.film:
+        shown = union(start, shown)  # room for all that comes
     scene = pv.GetAnimationScene()
     scene.UpdateAnimationUsingDataTimeSteps()
     scene.AnimationTime = time
@@ -584,6 +586,9 @@ def main():
     if not paraview.fromGUI:
         layout.SetSize(width, height)
 
+    if not paraview.fromGUI:
+        for plot in plots:  # with samples, software rendering smears the far side of each text over its near side
+            plot.SMProxy.GetClientSideObject().GetRenderWindow().SetMultiSamples(0)
     pv.RenderAllViews()
     if args.save:
         pv.SaveScreenshot(os.path.abspath(args.save), layout, ImageResolution=[width, height])
