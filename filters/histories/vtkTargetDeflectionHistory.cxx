@@ -2,20 +2,21 @@
 // Deflection of the target, largest and at chosen points, step by step, and what stays of it.
 #include "vtkTargetDeflectionHistory.h"
 
-#include "HiddenPoints.h"
+#include "HiddenCells.h"
+#include "LineOnTarget.h"
 #include "TrailingMean.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
-#include "vtkIdTypeArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkSmartPointer.h"
 #include "vtkTable.h"
 
 #include <cmath>
+#include <iomanip>
 #include <limits>
 #include <set>
+#include <sstream>
 
 vtkStandardNewMacro(vtkTargetDeflectionHistory);
 
@@ -28,18 +29,14 @@ constexpr const char* Axes[] = {"x", "y", "z"};
 
 double Length(const Vector& v) { return std::hypot(v[0], v[1], v[2]); }
 
-void AddIdColumn(vtkTable* table, const std::string& title, const std::vector<vtkIdType>& values)
-{
-  auto column = vtkSmartPointer<vtkIdTypeArray>::New();
-  column->SetName(title.c_str());
-  for (const vtkIdType value : values)
-    column->InsertNextValue(value);
-  table->AddColumn(column);
-}
-
 } // namespace
 
-vtkTargetDeflectionHistory::vtkTargetDeflectionHistory() : Trailing(std::make_unique<TrailingMean>()) {}
+vtkTargetDeflectionHistory::vtkTargetDeflectionHistory()
+    : Trailing(std::make_unique<TrailingMean>()), Line(std::make_unique<LineOnTarget>())
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
 vtkTargetDeflectionHistory::~vtkTargetDeflectionHistory() = default;
 
 void vtkTargetDeflectionHistory::PrintSelf(ostream& os, vtkIndent indent)
@@ -53,6 +50,12 @@ void vtkTargetDeflectionHistory::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Direction: " << this->Direction[0] << ", " << this->Direction[1] << ", "
      << this->Direction[2] << "\n";
   os << indent << "WindowShare: " << this->WindowShare << "\n";
+  os << indent << "UseLine: " << this->UseLine << "\n";
+  os << indent << "LineStart: " << this->LineStart[0] << ", " << this->LineStart[1] << ", "
+     << this->LineStart[2] << "\n";
+  os << indent << "LineEnd: " << this->LineEnd[0] << ", " << this->LineEnd[1] << ", " << this->LineEnd[2]
+     << "\n";
+  os << indent << "LinePoints: " << this->LinePoints << "\n";
   os << indent << "IgnoreErodedCells: " << this->IgnoreErodedCells << "\n";
   os << indent << "ErodedArrayName: " << this->ErodedArrayName << "\n";
 }
@@ -83,6 +86,8 @@ void vtkTargetDeflectionHistory::Clear()
   for (auto* column : {&this->RowTimes, &this->Deflection, &this->MaxAlong, &this->X, &this->Y, &this->Z})
     column->clear();
   this->Point.clear();
+  *this->Line = LineOnTarget();
+  this->Profiles.clear();
   for (ChosenPoint& point : this->Chosen)
     point.History.clear();
 }
@@ -100,6 +105,12 @@ bool vtkTargetDeflectionHistory::CheckProperties()
   }
   for (std::size_t k = 0; k < 3; ++k)
     this->Unit[k] = length > 0 ? this->Direction[k] / length : 0;
+  const Vector line{this->LineEnd[0] - this->LineStart[0], this->LineEnd[1] - this->LineStart[1],
+                    this->LineEnd[2] - this->LineStart[2]};
+  if (this->UseLine && !(Length(line) > 0 && std::isfinite(Length(line)))) {
+    vtkErrorMacro("The line has no length: LineStart and LineEnd are the same place, or no finite numbers.");
+    return false;
+  }
   std::set<std::string> names;
   for (const ChosenPoint& point : this->Chosen) {
     if (!std::isfinite(point.Place[0] + point.Place[1] + point.Place[2])) {
@@ -150,6 +161,7 @@ bool vtkTargetDeflectionHistory::Gather(const std::vector<vtkDataSet*>& leaves)
     const std::vector<bool> hidden =
         this->IgnoreErodedCells ? HiddenPoints(leaf, this->ErodedArrayName) : std::vector<bool>();
     this->Now.Counts.push_back(static_cast<std::size_t>(count));
+    this->Now.Leaves.push_back(leaf);
     for (vtkIdType i = 0; i < count; ++i) {
       Vector u{}, place{};
       displacement->GetTuple(i, u.data());
@@ -187,6 +199,11 @@ void vtkTargetDeflectionHistory::CheckCounts(double time)
   if (this->FirstCounts.empty()) {
     this->FirstCounts = this->Now.Counts;
     this->FindNearest();
+    if (this->UseLine) {
+      this->Line->Start({this->LineStart[0], this->LineStart[1], this->LineStart[2]},
+                        {this->LineEnd[0], this->LineEnd[1], this->LineEnd[2]}, this->LinePoints);
+      this->Line->Tie(this->Now.Leaves, this->Now.Place);
+    }
   }
   if (!this->Followed || this->Now.Counts == this->FirstCounts)
     return;
@@ -194,10 +211,10 @@ void vtkTargetDeflectionHistory::CheckCounts(double time)
   std::size_t before = 0;
   for (const std::size_t count : this->FirstCounts)
     before += count;
-  vtkWarningMacro("The target has " << this->Now.Row.size() << " points at " << time << " s, and had "
-                                    << before
-                                    << " before: points cannot be followed, so that there is no permanent "
-                                       "set, and no deflection at chosen points from there on.");
+  vtkWarningMacro(
+      "The target has " << this->Now.Row.size() << " points at " << time << " s, and had " << before
+                        << " before: points cannot be followed, so that there is no permanent "
+                           "set, and no deflection at chosen points and along a line from there on.");
 }
 
 bool vtkTargetDeflectionHistory::AddTimeStep(double time, const std::vector<vtkDataSet*>& leaves)
@@ -240,6 +257,12 @@ bool vtkTargetDeflectionHistory::AddTimeStep(double time, const std::vector<vtkD
   for (ChosenPoint& point : this->Chosen) {
     const bool known = there && this->Followed && !std::isnan(point.Distance);
     point.History.push_back(known ? this->Now.Displacement[point.Nearest] : NoVector);
+  }
+  this->Profiles.emplace_back();
+  for (const LineOnTarget::Sample& sample : this->Line->Samples()) {
+    const bool known = there && this->Followed;
+    const Vector u = known ? LineOnTarget::Interpolate(sample, this->Now.Displacement) : NoVector;
+    this->Profiles.back().push_back(Length(this->Unit) > 0 ? this->Along(u) : Length(u));
   }
   if (there && this->Followed)
     this->Trailing->Add(this->GetStep(), this->Now.Displacement);
@@ -328,5 +351,29 @@ void vtkTargetDeflectionHistory::FillChosen(vtkTable* table) const
     if (Length(this->Unit) > 0)
       constant("permanent_set_along", this->Along(mean));
     constant("residual_amplitude", set ? this->Trailing->Amplitude(point.Nearest) : None);
+  }
+}
+
+void vtkTargetDeflectionHistory::FillSecondTable(vtkTable* table)
+{
+  const std::vector<LineOnTarget::Sample>& samples = this->Line->Samples();
+  if (samples.empty())
+    return;
+  const auto column = [&](const std::string& title, auto value) {
+    std::vector<double> values;
+    for (const LineOnTarget::Sample& sample : samples)
+      values.push_back(value(sample));
+    AddColumn(table, title, values);
+  };
+  column("distance[m]", [](const LineOnTarget::Sample& sample) { return sample.Along; });
+  for (std::size_t k = 0; k < 3; ++k)
+    column(std::string(Axes[k]) + "[m]", [k](const LineOnTarget::Sample& sample) { return sample.Place[k]; });
+  column("off_target[m]", [](const LineOnTarget::Sample& sample) { return sample.Off; });
+  for (std::size_t row = 0; row < this->RowTimes.size(); ++row) {
+    std::vector<double> profile = this->Profiles[row];
+    profile.resize(samples.size(), None); // before there was a target
+    std::ostringstream title;
+    title << std::setprecision(9) << "deflection_at_" << this->RowTimes[row] << "s[m]";
+    AddColumn(table, title.str(), profile);
   }
 }

@@ -10,7 +10,7 @@
  * axis, so that the bird's flight, along +x, pushes a plate to positive x; "along" is the component along
  * Direction.
  *
- * Output: vtkTable, a row per time step:
+ * Output 0, "History": vtkTable, a row per time step:
  * - "time[s]"; "max_deflection[m]"; "x[m]", "y[m]", "z[m]": where that point was before the load; "point": its
  *   row in its dataset. Of equal deflections the first counts.
  * - "max_deflection_along[m]", with a Direction: the component of largest magnitude, with its sign.
@@ -30,13 +30,18 @@
  *   "permanent_set_at_<name>[m]"; with a Direction "permanent_set_along_at_<name>[m]";
  *   "residual_amplitude_at_<name>[m]".
  *
+ * Output 1, "Line", with UseLine: vtkTable, a row for each of LinePoints samples between LineStart and LineEnd,
+ * places before the load: "distance[m]" from the start, "x[m]", "y[m]", "z[m]", "off_target[m]", the distance to the
+ * nearest place on the target, whose deflection it is, and for every time step "deflection_at_<time>s[m]", with a
+ * Direction its component along it. An empty table without UseLine.
+ *
  * With IgnoreErodedCells, points that only belong to hidden cells (cell array ErodedArrayName = 1, or
  * HIDDENCELL in vtkGhostType) count as if they were not there. NaN and point -1 where there is nothing: no
  * target yet, a chosen point that has eroded, a set of a point that was not there in the whole last part, an
  * amplitude from a single step. NaN displacements are skipped.
  *
  * Points are followed by their row. If the number of points changes from one step to another, a warning says
- * so; chosen points have NaN from there on, and there is no permanent set.
+ * so; chosen points and the line have NaN from there on, and there is no permanent set.
  *
  * Error: vtkErrorMacro and an empty table when no leaf at any time has the array, it is not a vector or too
  * short, or a property is out of its range.
@@ -50,6 +55,7 @@
 #include <string>
 #include <vector>
 
+class LineOnTarget;
 class TrailingMean;
 
 class BIRDSTRIKEFILTERS_EXPORT vtkTargetDeflectionHistory : public vtkTemporalTableAlgorithm
@@ -75,6 +81,7 @@ public:
   ///@{ Points whose deflection is wanted, by their place before the load [m]. The name, part of the columns'
   /// titles, is "0", "1", ... by order if none is given; two points cannot share one. Without brackets, quotes, commas, semicolons.
   void AddPoint(double x, double y, double z, const char* name = nullptr);
+  void AddPlace(double x, double y, double z) { this->AddPoint(x, y, z); }
   void RemoveAllPoints();
   int GetNumberOfPoints() const { return static_cast<int>(this->Chosen.size()); }
   ///@}
@@ -88,6 +95,22 @@ public:
   ///@{ Last part of the series' time over which permanent set is the mean, 0 (its last step) to 1. Default 0.2.
   vtkSetMacro(WindowShare, double);
   vtkGetMacro(WindowShare, double);
+  ///@}
+
+  ///@{ Whether the second output has the deflection along a line. Default off.
+  vtkSetMacro(UseLine, bool);
+  vtkGetMacro(UseLine, bool);
+  vtkBooleanMacro(UseLine, bool);
+  ///@}
+
+  ///@{ The line's ends, places before the load [m], and how many samples divide it evenly, 2 or more. Default
+  /// from (0, -0.1, 0) to (0, 0.1, 0) with 51.
+  vtkSetVector3Macro(LineStart, double);
+  vtkGetVector3Macro(LineStart, double);
+  vtkSetVector3Macro(LineEnd, double);
+  vtkGetVector3Macro(LineEnd, double);
+  vtkSetClampMacro(LinePoints, int, 2, 100000);
+  vtkGetMacro(LinePoints, int);
   ///@}
 
   ///@{ Whether points that only belong to hidden cells are skipped. Default on.
@@ -108,6 +131,7 @@ protected:
   void Clear() override;
   bool AddTimeStep(double time, const std::vector<vtkDataSet*>& leaves) override;
   bool FillTable(vtkTable* table) override;
+  void FillSecondTable(vtkTable* table) override;
 
 private:
   vtkTargetDeflectionHistory(const vtkTargetDeflectionHistory&) = delete;
@@ -129,6 +153,7 @@ private:
     std::vector<std::size_t> Counts;         // of each leaf
     std::vector<Vector> Displacement, Place; // NaN where hidden; before the load
     std::vector<vtkIdType> Row;              // in its dataset
+    std::vector<vtkDataSet*> Leaves;
   };
 
   bool CheckProperties();
@@ -144,6 +169,10 @@ private:
   std::vector<ChosenPoint> Chosen;
   double Direction[3] = {0, 0, 0};
   double WindowShare = 0.2;
+  bool UseLine = false;
+  double LineStart[3] = {0, -0.1, 0};
+  double LineEnd[3] = {0, 0.1, 0};
+  int LinePoints = 51;
   bool IgnoreErodedCells = true;
   std::string ErodedArrayName = "eroded";
 
@@ -153,6 +182,8 @@ private:
   Vector Unit{};                        // along Direction; zero if there is none
   State Now;                            // the step that was added last and had a target
   std::unique_ptr<TrailingMean> Trailing;
+  std::unique_ptr<LineOnTarget> Line;
+  std::vector<std::vector<double>> Profiles; // over the line, one a row
   std::vector<double> RowTimes, Deflection, MaxAlong, X, Y, Z;
   std::vector<vtkIdType> Point;
 };

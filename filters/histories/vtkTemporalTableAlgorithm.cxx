@@ -2,12 +2,15 @@
 // The loop over time steps that all histories share.
 #include "vtkTemporalTableAlgorithm.h"
 
+#include "StepLoop.h"
+
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkSmartPointer.h"
@@ -52,6 +55,9 @@ double TimeOf(vtkDataObject* data)
 void vtkTemporalTableAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "LimitTime: " << this->LimitTime << "\n";
+  os << indent << "StartTime: " << this->StartTime << "\n";
+  os << indent << "EndTime: " << this->EndTime << "\n";
   os << indent << "Time steps: " << this->Times.size() << "\n";
   os << indent << "Step: " << this->Step << "\n";
 }
@@ -67,6 +73,16 @@ void vtkTemporalTableAlgorithm::AddColumn(vtkTable* table, const std::string& ti
   table->AddColumn(column);
 }
 
+void vtkTemporalTableAlgorithm::AddIdColumn(vtkTable* table, const std::string& title,
+                                            const std::vector<vtkIdType>& values)
+{
+  auto column = vtkSmartPointer<vtkIdTypeArray>::New();
+  column->SetName(title.c_str());
+  for (const vtkIdType value : values)
+    column->InsertNextValue(value);
+  table->AddColumn(column);
+}
+
 int vtkTemporalTableAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
@@ -78,14 +94,19 @@ int vtkTemporalTableAlgorithm::RequestInformation(vtkInformation*, vtkInformatio
 {
   vtkInformation* in = inputs[0]->GetInformationObject(0);
   this->Times.clear();
+  this->NoTimes.clear();
   this->Step = 0;
   if (in->Has(Pipeline::TIME_STEPS())) {
     const double* times = in->Get(Pipeline::TIME_STEPS());
     this->Times.assign(times, times + in->Length(Pipeline::TIME_STEPS()));
+    if (this->LimitTime)
+      this->NoTimes = LimitTimes(this->Times, this->StartTime, this->EndTime);
   }
-  vtkInformation* out = outputs->GetInformationObject(0);
-  out->Remove(Pipeline::TIME_STEPS());
-  out->Remove(Pipeline::TIME_RANGE());
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port) {
+    vtkInformation* out = outputs->GetInformationObject(port);
+    out->Remove(Pipeline::TIME_STEPS());
+    out->Remove(Pipeline::TIME_RANGE());
+  }
   return 1;
 }
 
@@ -103,25 +124,30 @@ int vtkTemporalTableAlgorithm::RequestData(vtkInformation* request, vtkInformati
                                            vtkInformationVector* outputs)
 {
   vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
-  vtkTable* table = vtkTable::GetData(outputs);
-  table->Initialize();
+  std::vector<vtkTable*> tables;
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port) {
+    tables.push_back(vtkTable::GetData(outputs, port));
+    tables.back()->Initialize();
+  }
   if (this->Step == 0)
     this->Clear();
 
   const std::size_t steps = this->Times.empty() ? 1 : this->Times.size();
   const std::vector<vtkDataSet*> leaves = input ? LeavesOf(input) : std::vector<vtkDataSet*>();
-  bool fine = !leaves.empty();
-  if (fine) {
-    const double time = this->Times.empty() ? TimeOf(input) : this->Times[this->Step];
+  bool fine = !leaves.empty() && this->NoTimes.empty();
+  const double time = this->Times.empty() ? (input ? TimeOf(input) : 0) : this->Times[this->Step];
+  if (fine)
     fine = this->AddTimeStep(time, leaves);
-  } else {
+  else if (!this->NoTimes.empty())
+    vtkErrorMacro(<< this->NoTimes);
+  else
     vtkErrorMacro("The input has no dataset at time step "
                   << this->Step + 1 << " of " << steps << "; its reader failed there, or the step is empty.");
-  }
 
-  this->UpdateProgress(static_cast<double>(this->Step + 1) / static_cast<double>(steps));
+  ShowStep(*this, this->Step, steps, time);
   const bool last = this->Step + 1 >= steps;
-  if (fine && !last && !this->GetAbortExecute()) {
+  const bool stopped = !last && Stopped(*this);
+  if (fine && !last && !stopped) {
     ++this->Step;
     request->Set(Pipeline::CONTINUE_EXECUTING(), 1);
     return 1;
@@ -130,8 +156,12 @@ int vtkTemporalTableAlgorithm::RequestData(vtkInformation* request, vtkInformati
   // The end, good or bad: the next execution starts afresh.
   request->Remove(Pipeline::CONTINUE_EXECUTING());
   this->Step = 0;
-  if (!fine || (this->GetAbortExecute() && !last) || !this->FillTable(table))
-    table->Initialize();
+  if (fine && !stopped && this->FillTable(tables[0])) {
+    if (tables.size() > 1)
+      this->FillSecondTable(tables[1]);
+  } else {
+    tables[0]->Initialize();
+  }
   this->Clear();
   return 1;
 }

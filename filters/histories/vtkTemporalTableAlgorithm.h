@@ -5,9 +5,10 @@
  *
  * Input:  any vtkDataObject, with or without TIME_STEPS; its leaf datasets are what a subclass sees.
  * Output: vtkTable. It has no time steps of its own: it is the whole series.
- * Holds one time step in memory at a time. An input without time steps counts as one step, at the time that
- * its DATA_TIME_STEP or its field array "TimeValue" says, else 0. AbortExecute between two steps, like an
- * error, leaves the table empty.
+ * Holds one time step in memory at a time, and shows its number and time as progress. An input without time
+ * steps counts as one step, at the time that its DATA_TIME_STEP or its field array "TimeValue" says, else 0.
+ * With LimitTime only the steps from StartTime to EndTime are read. An abort between two steps, like an error,
+ * leaves the tables empty.
  */
 #pragma once
 
@@ -25,6 +26,19 @@ public:
   vtkTypeMacro(vtkTemporalTableAlgorithm, vtkTableAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{ Whether only the time steps from StartTime to EndTime, both included, are read. Default off.
+  vtkSetMacro(LimitTime, bool);
+  vtkGetMacro(LimitTime, bool);
+  vtkBooleanMacro(LimitTime, bool);
+  ///@}
+
+  ///@{ First and last time of a limited range [s]. Default 0 and 1.
+  vtkSetMacro(StartTime, double);
+  vtkGetMacro(StartTime, double);
+  vtkSetMacro(EndTime, double);
+  vtkGetMacro(EndTime, double);
+  ///@}
+
 protected:
   vtkTemporalTableAlgorithm() = default;
   ~vtkTemporalTableAlgorithm() override = default;
@@ -35,14 +49,17 @@ protected:
   virtual bool AddTimeStep(double time, const std::vector<vtkDataSet*>& leaves) = 0;
   //! Called once, after the last step. False if it cannot be done and an error has been reported.
   virtual bool FillTable(vtkTable* table) = 0;
+  //! Called after FillTable by filters with two output ports.
+  virtual void FillSecondTable(vtkTable*) {}
 
-  //! All times of the series [s]; empty if the input has none. And the row in them of the step that AddTimeStep
+  //! All times that are read [s]; empty if the input has none. And the row in them of the step that AddTimeStep
   //! sees.
   const std::vector<double>& GetTimes() const { return this->Times; }
   std::size_t GetStep() const { return this->Step; }
 
-  //! Append a column of doubles to a table.
+  //! Append a column of doubles, or of whole numbers, to a table.
   static void AddColumn(vtkTable* table, const std::string& title, const std::vector<double>& values);
+  static void AddIdColumn(vtkTable* table, const std::string& title, const std::vector<vtkIdType>& values);
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -53,6 +70,11 @@ private:
   vtkTemporalTableAlgorithm(const vtkTemporalTableAlgorithm&) = delete;
   void operator=(const vtkTemporalTableAlgorithm&) = delete;
 
-  std::vector<double> Times; // TIME_STEPS of the input; empty if it has none
+  bool LimitTime = false;
+  double StartTime = 0;
+  double EndTime = 1;
+
+  std::vector<double> Times; // those of the input's TIME_STEPS that are read; empty if it has none
+  std::string NoTimes;       // why none is read of an input that has some; else empty
   std::size_t Step = 0;      // the one asked for now; 0 again after the last
 };

@@ -48,7 +48,7 @@ TEST_CASE("maxima over all and per part are exact at every time", "[filters][pre
   });
   vtkTable& table = run.table();
   REQUIRE(table.GetNumberOfRows() == 3);
-  REQUIRE(table.GetNumberOfColumns() == 5);
+  REQUIRE(table.GetNumberOfColumns() == 9);
   const char* titles[] = {"time[s]", "max_pressure_all[Pa]", "max_pressure_torso[Pa]",
                           "max_pressure_head[Pa]", "max_pressure_lungs[Pa]"};
   for (int k = 0; k < 5; ++k)
@@ -102,7 +102,7 @@ TEST_CASE("parts without names are numbered, also those that come late", "[filte
 TEST_CASE("without a part array there is the maximum over all", "[filters][pressure]")
 {
   Run run({0}, [](double) { return made_particles({1, 8, 2}, {}); });
-  CHECK(run.table().GetNumberOfColumns() == 2);
+  CHECK(run.table().GetNumberOfColumns() == 6);
   CHECK(value(run.table(), 0, "max_pressure_all[Pa]") == 8);
 }
 
@@ -122,7 +122,7 @@ TEST_CASE("blocks without the array are passed over, blocks with it are merged b
   CHECK(value(table, 1, "max_pressure_torso[Pa]") == 2);
   CHECK(value(table, 1, "max_pressure_head[Pa]") == 5);
   CHECK(value(table, 1, "max_pressure_all[Pa]") == 5);
-  CHECK(table.GetNumberOfColumns() == 4);
+  CHECK(table.GetNumberOfColumns() == 8);
 }
 
 TEST_CASE("data without time steps make one row at their own time", "[filters][pressure]")
@@ -218,4 +218,83 @@ TEST_CASE("the filters describe their settings", "[filters]")
   std::ostringstream text;
   filter->PrintSelf(text, vtkIndent());
   CHECK_THAT(text.str(), Contains("PressureArrayName: pressure") && Contains("PartArrayName: part"));
+}
+
+TEST_CASE("the largest pressure has a place and a particle, in every row and over the series",
+          "[filters][pressure]")
+{
+  Run run({0, 1, 2}, [](double t) {
+    auto bird = made_particles({t == 1 ? 9.0 : 1.0, 5, 7 - t}, {0, 1, 1}, {"torso", "head"});
+    vtkNew<vtkIntArray> ids;
+    ids->SetName("id");
+    for (const int id : {30, 10, 20})
+      ids->InsertNextValue(id);
+    bird->GetPointData()->AddArray(ids);
+    return bird;
+  });
+  vtkTable& table = run.table();
+  const double ids[] = {20, 30, 10}, x[] = {2, 0, 1}; // at 2 s two have 5: the first counts
+  for (int k = 0; k < 3; ++k) {
+    CHECK(value(table, k, "id_of_max_pressure") == ids[k]);
+    CHECK(value(table, k, "x_of_max_pressure[m]") == x[k]);
+    CHECK(value(table, k, "y_of_max_pressure[m]") == 0);
+  }
+  vtkTable& peaks = *run.filter->GetOutput(1);
+  REQUIRE(peaks.GetNumberOfRows() == 3);
+  const char* names[] = {"all", "torso", "head"};
+  const double pressure[] = {9, 9, 7}, time[] = {1, 1, 0}, id[] = {30, 30, 20};
+  for (int k = 0; k < 3; ++k) {
+    CHECK(peaks.GetValueByName(k, "part").ToString() == names[k]);
+    CHECK(value(peaks, k, "peak_pressure[Pa]") == pressure[k]);
+    CHECK(value(peaks, k, "time[s]") == time[k]);
+    CHECK(value(peaks, k, "id") == id[k]);
+  }
+  CHECK(value(peaks, 2, "x[m]") == 2);
+}
+
+TEST_CASE("a region takes the particles that are in it at that time", "[filters][pressure]")
+{
+  Run run({0, 1}, [](double t) { // at (i, 0, 0); all move 2 m
+    auto bird = made_particles({1, 2, 3, 4}, {0, 0, 0, 0});
+    for (vtkIdType i = 0; i < 4; ++i)
+      bird->GetPoints()->SetPoint(i, static_cast<double>(i) - 2 * t, 0, 0);
+    return bird;
+  });
+  run.filter->SetCenter(0, 0, 0);
+  run.filter->SetRadius(1);
+  SECTION("sphere, its border with it")
+  {
+    run.filter->SetRegion(vtkMaximumPressureHistory::Sphere);
+    CHECK(value(run.table(), 0, "max_pressure_all[Pa]") == 2);
+    CHECK(value(run.table(), 1, "max_pressure_part_0[Pa]") == 4);
+  }
+  SECTION("box")
+  {
+    run.filter->SetRegion(vtkMaximumPressureHistory::Box);
+    run.filter->SetBoxSize(1.9, 1, 1);
+    CHECK(value(run.table(), 0, "max_pressure_all[Pa]") == 1);
+    CHECK(value(run.table(), 1, "max_pressure_all[Pa]") == 3);
+  }
+  SECTION("cylinder along the flight, and across it")
+  {
+    run.filter->SetRegion(vtkMaximumPressureHistory::Cylinder);
+    CHECK(value(run.table(), 0, "max_pressure_all[Pa]") == 4);
+    run.filter->SetAxis(0, 0, 5);
+    CHECK(value(run.table(), 0, "max_pressure_all[Pa]") == 2);
+  }
+}
+
+TEST_CASE("a range of time limits what is read", "[filters][pressure]")
+{
+  std::vector<double> times;
+  for (int k = 0; k < 10; ++k)
+    times.push_back(k * 0.1);
+  Run run(times, [](double t) { return made_particles({t}, {0}); });
+  run.filter->LimitTimeOn();
+  run.filter->SetStartTime(0.3); // 3 * 0.1 is a little more, 0.6 a little less than 6 * 0.1
+  run.filter->SetEndTime(0.6);
+  CHECK(run.table().GetNumberOfRows() == 4);
+  CHECK(run.source->Executions == 4);
+  CHECK(value(run.table(), 0, "time[s]") == times[3]);
+  CHECK(value(run.table(), 3, "max_pressure_all[Pa]") == times[6]);
 }

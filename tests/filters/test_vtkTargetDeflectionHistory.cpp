@@ -5,6 +5,7 @@
 #include "vtkio/vtk_errors.h"
 
 #include <catch2/catch.hpp>
+#include <vtkCellArray.h>
 
 #include <cmath>
 #include <limits>
@@ -122,4 +123,71 @@ TEST_CASE("NaN displacements are skipped and a scalar is refused", "[filters][de
   filter->Update();
   CHECK(filter->GetOutput()->GetNumberOfColumns() == 0);
   CHECK_THAT(errors->first(), Contains("'pressure' has 1 components"));
+}
+
+TEST_CASE("the deflection along a line is that of the mesh between its points", "[filters][deflection]")
+{
+  // 4 x 2 elements of 0.5 m that stretch along y and bend along x, bilinear in y and z so that the mesh has it exactly.
+  const auto bend = [](double y, double z, double t) {
+    return t * (0.01 + 0.02 * y + 0.03 * z + 0.04 * y * z);
+  };
+  vtkNew<MadeSeries> source;
+  source->Times = {0, 0.5, 2};
+  source->Make = [&](double t) {
+    auto plate = vtkSmartPointer<vtkPolyData>::New();
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    vtkNew<vtkCellArray> quads;
+    vtkNew<vtkDoubleArray> u;
+    u->SetName("displacement");
+    u->SetNumberOfComponents(3);
+    for (vtkIdType j = 0; j <= 2; ++j)
+      for (vtkIdType i = 0; i <= 4; ++i) {
+        const double y = -1 + 0.5 * static_cast<double>(i), z = 0.5 * static_cast<double>(j);
+        points->InsertNextPoint(bend(y, z, t), y + 0.1 * t * y, z);
+        u->InsertNextTuple3(bend(y, z, t), 0.1 * t * y, 0);
+        if (i < 4 && j < 2)
+          quads->InsertNextCell({5 * j + i, 5 * j + i + 1, 5 * j + i + 6, 5 * j + i + 5});
+      }
+    plate->SetPoints(points);
+    plate->SetPolys(quads);
+    plate->GetPointData()->AddArray(u);
+    return plate;
+  };
+  vtkNew<vtkTargetDeflectionHistory> filter;
+  auto errors = vtkSmartPointer<VtkErrors>::New();
+  errors->watch(*filter);
+  filter->SetInputConnection(source->GetOutputPort());
+  filter->Update();
+  CHECK(filter->GetOutput(1)->GetNumberOfColumns() == 0); // nobody asked
+
+  filter->UseLineOn();
+  filter->SetLineStart(0.2, -0.9, 0.1); // 0.2 m in front of the plate
+  filter->SetLineEnd(0.2, 0.7, 0.8);
+  filter->SetLinePoints(9);
+  filter->SetDirection(2, 0, 0);
+  filter->Update();
+  vtkTable& line = *filter->GetOutput(1);
+  REQUIRE(line.GetNumberOfRows() == 9);
+  REQUIRE(line.GetNumberOfColumns() == 8);
+  for (int k = 0; k < 9; ++k) {
+    const double y = -0.9 + 0.2 * k, z = 0.1 + 0.0875 * k;
+    CHECK(value(line, k, "distance[m]") == Approx(k / 8.0 * std::hypot(1.6, 0.7)).margin(1e-15));
+    CHECK(value(line, k, "y[m]") == Approx(y));
+    CHECK(value(line, k, "off_target[m]") == Approx(0.2));
+    CHECK(value(line, k, "deflection_at_0s[m]") == 0);
+    CHECK(value(line, k, "deflection_at_0.5s[m]") == Approx(bend(y, z, 0.5)));
+    CHECK(value(line, k, "deflection_at_2s[m]") == Approx(bend(y, z, 2)));
+  }
+  filter->SetDirection(0, 0, 0); // then the length
+  filter->Update();
+  CHECK(value(*filter->GetOutput(1), 8, "deflection_at_2s[m]") ==
+        Approx(std::hypot(bend(0.7, 0.8, 2), 0.2 * 0.7)));
+  CHECK_FALSE(errors->any());
+
+  filter->SetLineEnd(0.2, -0.9, 0.1);
+  filter->Update();
+  CHECK(filter->GetOutput()->GetNumberOfColumns() == 0);
+  CHECK(filter->GetOutput(1)->GetNumberOfColumns() == 0);
+  CHECK_THAT(errors->first(), Contains("The line has no length"));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Points that nothing is left of: all their cells have eroded.
-#include "HiddenPoints.h"
+// Cells that have eroded, and points that nothing is left of.
+#include "HiddenCells.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
@@ -9,7 +9,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
-std::vector<bool> HiddenPoints(vtkDataSet* data, const std::string& eroded)
+std::vector<bool> HiddenCells(vtkDataSet* data, const std::string& eroded)
 {
   const vtkIdType cells = data->GetNumberOfCells();
   vtkDataArray* gone = data->GetCellData()->GetArray(eroded.c_str());
@@ -20,22 +20,29 @@ std::vector<bool> HiddenPoints(vtkDataSet* data, const std::string& eroded)
   if (ghosts && ghosts->GetNumberOfTuples() < cells)
     ghosts = nullptr;
 
-  const auto isHidden = [&](vtkIdType cell) {
-    return (gone && gone->GetComponent(cell, 0) == 1) ||
-           (ghosts && (ghosts->GetValue(cell) & vtkDataSetAttributes::HIDDENCELL));
-  };
-  vtkIdType first = gone || ghosts ? 0 : cells;
-  while (first < cells && !isHidden(first))
-    ++first;
-  if (first == cells)
-    return {};
+  std::vector<bool> hidden;
+  for (vtkIdType cell = 0; (gone || ghosts) && cell < cells; ++cell) {
+    if (!(gone && gone->GetComponent(cell, 0) == 1) &&
+        !(ghosts && (ghosts->GetValue(cell) & vtkDataSetAttributes::HIDDENCELL)))
+      continue;
+    if (hidden.empty())
+      hidden.assign(static_cast<std::size_t>(cells), false);
+    hidden[static_cast<std::size_t>(cell)] = true;
+  }
+  return hidden;
+}
 
+std::vector<bool> HiddenPoints(vtkDataSet* data, const std::string& eroded)
+{
+  const std::vector<bool> cells = HiddenCells(data, eroded);
+  if (cells.empty())
+    return {};
   std::vector<bool> hidden(static_cast<std::size_t>(data->GetNumberOfPoints()), false);
   std::vector<bool> held(hidden.size(), false); // by a cell that is still there
   auto corners = vtkSmartPointer<vtkIdList>::New();
-  for (vtkIdType cell = 0; cell < cells; ++cell) {
-    std::vector<bool>& which = isHidden(cell) ? hidden : held;
-    data->GetCellPoints(cell, corners);
+  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+    std::vector<bool>& which = cells[cell] ? hidden : held;
+    data->GetCellPoints(static_cast<vtkIdType>(cell), corners);
     for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
       which[static_cast<std::size_t>(corners->GetId(k))] = true;
   }

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A single-pole low pass, as behind a pressure transducer.
+#pragma once
+
+#include <vector>
+
+/**
+ * The signal behind y' = (x - y) / tau, tau = RiseTime / ln 9, with the 10 to 90 % rise time \p riseTime [s], exact for
+ * values on straight lines between their \p times [s]. It begins at rest, with 0; a NaN counts as 0. A rise time of 0
+ * gives the values back.
+ */
+std::vector<double> LowPass(const std::vector<double>& times, const std::vector<double>& values,
+                            double riseTime);

@@ -1,0 +1,210 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The plugin's histories and peaks over a run of the program, against the program's own numbers.
+import json
+import math
+import pathlib
+import unittest
+
+import numpy
+
+import in_paraview as pv
+
+pv.load_plugin(globals())
+
+CASE = """
+title = "A bird of 50 g on a sheet"
+[bird]
+shape = "capsule"
+mass = "0.05 kg"
+spacing = "7 mm"
+velocity = "150 m/s"
+[bird.parts]
+front = { porosity = 0.4, share = 0.6 }
+back = { porosity = 0.5, share = 0.4 }
+[target]
+rigid = false
+plate = { size = ["0.3 m", "0.3 m"], thickness = "1 mm", elements = [20, 20] }
+material = "al-2024-t3"
+[deflections]
+middle = { at = ["0 mm", "0 mm", "0 mm"] }
+[run]
+end = "0.6 ms"
+frames = 12
+"""
+
+
+def setUpModule():
+    global keep, run, series, steps, frames
+    keep = pv.folder()
+    base = pathlib.Path(keep.name)
+    (base / "sheet.toml").write_text(CASE)
+    run = base / "run"
+    pv.birdstrike("run", base / "sheet.toml", "-o", run, "--threads", 1)
+    pv.birdstrike("histories", run / "run.pvd", "-o", base / "frames.csv", "--deflection-at", "0=0,0,0",
+                  "--deflection-along", "1,0,0", "--quiet")
+    steps = pv.rows_of(run / "histories.csv")  # of every time step of the solver
+    frames = pv.rows_of(base / "frames.csv")  # of the frames, by the filters in the program
+    series = pv.open_series(run / "run.pvd")
+
+
+def tearDownModule():
+    keep.cleanup()
+
+
+def at_frames(column):
+    """A column of histories.csv at the times of the frames."""
+    times = numpy.array(steps["time[s]"])
+    rows = [int(numpy.argmin(abs(times - time))) for time in frames["time[s]"]]
+    assert all(abs(times[row] - time) < 1e-12 for row, time in zip(rows, frames["time[s]"]))
+    return [steps[column][row] for row in rows]
+
+
+class Histories(unittest.TestCase):
+    def check_close(self, values, expected, relative=1e-12):
+        self.assertEqual(len(values), len(expected))
+        largest = max(abs(value) for value in expected)
+        for value, other in zip(values, expected):
+            self.assertLessEqual(abs(value - other), relative * largest)
+
+    def test_maximum_pressure(self):
+        history = MaximumPressureHistory(Input=series)
+        columns = pv.table(history)
+        for name in ("all", "front", "back"):
+            title = f"max_pressure_{name}[Pa]"
+            self.check_close(columns[title], frames[title])
+            self.check_close(columns[title], at_frames(title))
+        peaks = pv.table(history, 1)
+        self.assertEqual(peaks["part"], ["all", "front", "back"])
+        for name, peak, time in zip(peaks["part"], peaks["peak_pressure[Pa]"], peaks["time[s]"]):
+            column = columns[f"max_pressure_{name}[Pa]"]
+            self.assertEqual(peak, max(column))
+            self.assertEqual(time, columns["time[s]"][column.index(peak)])
+        # The particle is where the peak says, and has that pressure.
+        for leaf in pv.leaves(pv.data_at(series, peaks["time[s]"][0])):
+            ids = leaf.GetPointData().GetArray("id")
+            if ids:
+                row = pv.numbers(ids).tolist().index(peaks["id"][0])
+                self.assertEqual(leaf.GetPoint(row), tuple(peaks[f"{axis}[m]"][0] for axis in "xyz"))
+                self.assertEqual(leaf.GetPointData().GetArray("pressure").GetValue(row), peaks["peak_pressure[Pa]"][0])
+
+    def test_pressure_in_regions(self):
+        history = MaximumPressureHistory(Input=series, Region="Sphere", Center=[0, 0, 0], Radius=10)
+        self.assertEqual(pv.table(history)["max_pressure_all[Pa]"], frames["max_pressure_all[Pa]"])
+        history.Region = "Box"
+        history.Center = [0.5, 0, 0]  # behind the sheet: no particle gets there
+        self.assertTrue(all(math.isnan(value) for value in pv.table(history)["max_pressure_all[Pa]"]))
+        history.Radius = 0
+        history.Region = "Sphere"
+        with pv.Messages(history) as said:
+            self.assertEqual(pv.table(history), {})
+        self.assertIn("Radius is 0 m", str(said))
+
+    def test_deflection(self):
+        history = TargetDeflectionHistory(Input=series, Points=[0, 0, 0], Direction=[1, 0, 0], UseLine=1,
+                                          LineStart=[0, -0.15, 0], LineEnd=[0, 0.15, 0], LinePoints=41)
+        columns = pv.table(history)
+        for title in columns:
+            for value, expected in zip(columns[title], frames[title]):
+                self.assertTrue(value == expected or (math.isnan(value) and math.isnan(expected)), title)
+        self.check_close(columns["max_deflection[m]"], at_frames("max_deflection[m]"))
+        self.check_close(columns["deflection_along_at_0[m]"], at_frames("deflection_middle[m]"))
+        line = pv.table(history, 1)
+        profiles = [title for title in line if title.startswith("deflection_at_")]
+        self.assertEqual(len(profiles), len(frames["time[s]"]))
+        self.assertEqual(line["distance[m]"][20], 0.15)
+        for k, title in enumerate(profiles):
+            self.assertAlmostEqual(line[title][20], columns["deflection_along_at_0[m]"][k], delta=1e-12)
+            self.assertLess(max(abs(line[title][0]), abs(line[title][40])), 1e-15)  # the sheet is clamped there
+        self.assertLess(max(line["off_target[m]"]), 1e-12)
+
+    def test_contact_force(self):
+        history = ContactForceandImpulseHistory(Input=series, PerPart=1)
+        columns = pv.table(history)
+        for axis in "xyz":
+            for title in (f"contact_force_{axis}[N]", f"impulse_{axis}[N s]"):
+                self.check_close(columns[title], at_frames(title), 1e-9)
+        self.check_close(columns["contact_force_part_0[N]"], columns["contact_force[N]"])
+        summary = json.loads((run / "summary.json").read_text())
+        self.assertAlmostEqual(columns["impulse_x[N s]"][-1] / summary["impulse"], 1, delta=1e-9)
+        # The filter has no frames between; over all of them the sheet is as large as it was cut.
+        self.assertAlmostEqual(columns["area[m2]"][0], 0.09, delta=1e-12)
+        # Halves add up.
+        sums = [0] * len(columns["time[s]"])
+        for side in (-0.5, 0.5):
+            half = ContactForceandImpulseHistory(Input=series, Region="Box", Center=[0, side, 0], BoxSize=[1, 1, 1])
+            sums = [a + b for a, b in zip(sums, pv.table(half)["contact_force_x[N]"])]
+        self.check_close(sums, columns["contact_force_x[N]"])
+
+    def test_peak_over_time(self):
+        times = list(series.TimestepValues)
+        exact, so_far = None, None
+        for k, time in enumerate(times):
+            target = [leaf for leaf in pv.leaves(pv.data_at(series, time)) if leaf.GetCellData().GetArray("contact_force")]
+            force = numpy.linalg.norm(pv.numbers(target[0].GetCellData().GetArray("contact_force")), axis=1)
+            exact = force if k == 0 else numpy.maximum(exact, force)
+            so_far = exact if k == 6 else so_far
+        peaks = PeakOverTime(Input=series, Array="contact_force")
+
+        def found(time, name="peak_contact_force"):
+            return next(pv.numbers(leaf.GetCellData().GetArray(name)) for leaf in pv.leaves(pv.data_at(peaks, time))
+                        if leaf.GetCellData().HasArray(name))
+
+        for time in (times[0], times[-1]):
+            numpy.testing.assert_allclose(found(time), exact, rtol=1e-14)
+        self.assertTrue(set(found(times[0], "time_of_peak_contact_force")) <= set(times))
+        peaks.UpToCurrentTime = 1
+        for time, expected in ((times[6], so_far), (times[-1], exact), (times[6], so_far)):
+            numpy.testing.assert_allclose(found(time), expected, rtol=1e-14)
+        # What the solver sampled at every step is never less than what the frames show.
+        peaks.Array = "contact_pressure"
+        self.assertTrue((found(times[-1], "peak_contact_pressure") >=
+                         found(times[-1], "peak_contact_pressure_of_frames")).all())
+        # Particles, by their number.
+        peaks.Array = "pressure"
+        largest = max(pv.numbers(leaf.GetPointData().GetArray("peak_pressure")).max()
+                      for leaf in pv.leaves(pv.data_at(peaks, times[-1])) if leaf.GetPointData().HasArray("peak_pressure"))
+        self.assertEqual(largest, max(frames["max_pressure_all[Pa]"]))
+
+    def test_range_of_time(self):
+        wanted = [time for time in frames["time[s]"] if 1.9e-4 < time < 4.1e-4]
+        for make in (MaximumPressureHistory, TargetDeflectionHistory, ContactForceandImpulseHistory):
+            history = make(Input=series, LimitTime=1, StartTime=2e-4, EndTime=4e-4)
+            self.assertEqual(pv.table(history)["time[s]"], wanted)
+            history.StartTime = history.EndTime = 1
+            with pv.Messages(history) as said:
+                self.assertEqual(pv.table(history), {})
+            self.assertIn("No time step lies between StartTime 1 s and EndTime 1 s; the series has 13 from 0 s to", str(said))
+        peaks = PeakOverTime(Input=series, Array="contact_force", LimitTime=1, StartTime=0, EndTime=0)
+        for leaf in pv.leaves(pv.data_at(peaks, 6e-4)):
+            if leaf.GetCellData().HasArray("peak_contact_force"):
+                self.assertEqual(pv.numbers(leaf.GetCellData().GetArray("peak_contact_force")).max(), 0)
+
+    def test_array_that_is_not_there(self):
+        for make, name in ((MaximumPressureHistory, "PressureArray"), (TargetDeflectionHistory, "DisplacementArray"),
+                           (ContactForceandImpulseHistory, "ForceArray")):
+            history = make(Input=series)
+            setattr(history, name, "nothing")
+            with pv.Messages(history) as said:
+                self.assertEqual(pv.table(history), {})
+            self.assertIn("'nothing' at any of its 13 time steps", str(said))
+        peaks = PeakOverTime(Input=series, Array="nothing")
+        with pv.Messages(peaks) as said:
+            self.assertEqual(pv.leaves(pv.data_at(peaks, 0)), [])
+        self.assertIn("'nothing' at any of the 13 time steps", str(said))
+
+    def test_changed_number_of_points(self):
+        index = run / "changed.pvd"
+        index.write_text('<?xml version="1.0"?><VTKFile type="Collection" version="0.1"><Collection>'
+                         '<DataSet timestep="0" file="frames/target_0000.vtu"/>'
+                         '<DataSet timestep="1" file="frames/bird_0000.vtu"/>'
+                         '<DataSet timestep="2" file="frames/target_0001.vtu"/></Collection></VTKFile>')
+        changed = pv.open_series(index)
+        deflection = pv.table(TargetDeflectionHistory(Input=changed))["max_deflection[m]"]
+        self.assertEqual([math.isnan(value) for value in deflection], [False, True, False])
+        peaks = PeakOverTime(Input=changed, Array="velocity")  # points of the target, then particles
+        with pv.Messages(peaks) as said:
+            pv.data_at(peaks, 0)
+        self.assertIn("cannot be followed and have no peak", str(said))
+
+
+unittest.main()
