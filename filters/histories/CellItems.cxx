@@ -2,6 +2,8 @@
 // The cells of a structure as items of fragments.
 #include "CellItems.h"
 
+#include "HiddenCells.h"
+
 #include "vtkCell.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -13,7 +15,6 @@
 #include "vtkPoints.h"
 #include "vtkTetra.h"
 #include "vtkTriangle.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <limits>
 #include <utility>
@@ -50,8 +51,7 @@ public:
       vtkDataArray* array = data->GetCellData()->GetArray(name.c_str());
       return array && array->GetNumberOfTuples() >= data->GetNumberOfCells() ? array : nullptr;
     };
-    this->Eroded = of_cells(sources.Eroded);
-    this->Ghosts = vtkUnsignedCharArray::SafeDownCast(of_cells(vtkDataSetAttributes::GhostArrayName()));
+    this->Hidden = HiddenCells(data, sources.Eroded);
     this->Thickness = of_cells(sources.Thickness);
     this->Density = of_cells(sources.Density);
     vtkDataArray* one =
@@ -61,8 +61,7 @@ public:
 
   bool Stands(vtkIdType cell) const
   {
-    return !(this->Eroded && this->Eroded->GetComponent(cell, 0) == 1) &&
-           !(this->Ghosts && (this->Ghosts->GetValue(cell) & vtkDataSetAttributes::HIDDENCELL));
+    return this->Hidden.empty() || !this->Hidden[static_cast<std::size_t>(cell)];
   }
 
   double MassOf(vtkIdType row, vtkCell* cell) const
@@ -97,8 +96,8 @@ public:
 
 private:
   const CellSources& Sources;
-  vtkDataArray *Eroded, *Thickness, *Density;
-  vtkUnsignedCharArray* Ghosts;
+  std::vector<bool> Hidden; // empty: none
+  vtkDataArray *Thickness, *Density;
   double OneThickness;
 };
 

@@ -5,6 +5,7 @@
 #include "CarriedArrays.h"
 #include "DatasetLeaves.h"
 #include "SphSkin.h"
+#include "StepLoop.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -259,7 +260,7 @@ bool vtkBirdSurface::MakeSurfaces(const Particles& particles, vtkMultiBlockDataS
     output->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), name.c_str());
     ++block;
     this->UpdateProgress(static_cast<double>(block) / static_cast<double>(groups.size()));
-    if (this->GetAbortExecute())
+    if (Stopped(*this))
       return false;
   }
   return true;

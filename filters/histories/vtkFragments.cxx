@@ -6,6 +6,7 @@
 #include "DatasetLeaves.h"
 #include "FragmentTable.h"
 #include "LargestDistance.h"
+#include "StepLoop.h"
 #include "UnionFind.h"
 
 #include "vtkCellData.h"
@@ -277,7 +278,7 @@ int vtkFragments::RequestData(vtkInformation*, vtkInformationVector** inputs, vt
   this->MayWarn = this->Warned != this->GetMTime();
   std::size_t looked = 0;
   const std::vector<DatasetLeaf> leaves = DatasetLeaves(output);
-  for (std::size_t k = 0; k < leaves.size() && fine && !this->GetAbortExecute(); ++k) {
+  for (std::size_t k = 0; k < leaves.size() && fine && !Stopped(*this); ++k) {
     const bool particles = this->AreParticles(leaves[k].Data);
     if (this->Kind == (particles ? OnlyCells : OnlyParticles))
       continue;
@@ -294,7 +295,7 @@ int vtkFragments::RequestData(vtkInformation*, vtkInformationVector** inputs, vt
                                  << "; choose another Kind, or an input with them.");
     fine = false;
   }
-  if (!fine || this->GetAbortExecute()) {
+  if (!fine || Stopped(*this)) {
     CopyOver(input, output);
     table->Initialize();
   }
