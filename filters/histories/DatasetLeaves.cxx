@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The datasets in a data object, with their names.
+#include "DatasetLeaves.h"
+
+#include "vtkCellType.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkSmartPointer.h"
+
+namespace {
+
+// Of the leaf, or of the block around it: partitioned datasets name their collections' blocks.
+std::string NameOf(vtkCompositeDataSet& composite, vtkCompositeDataIterator& at)
+{
+  if (at.HasCurrentMetaData()) {
+    const char* name = at.GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME());
+    if (name && *name)
+      return name;
+  }
+  auto* tree = vtkDataObjectTree::SafeDownCast(&composite);
+  if (!tree)
+    return {};
+  auto blocks = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
+  blocks->VisitOnlyLeavesOff();
+  std::string last;
+  for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem()) {
+    if (blocks->GetCurrentFlatIndex() > at.GetCurrentFlatIndex())
+      break;
+    const char* name = blocks->HasCurrentMetaData()
+                           ? blocks->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME())
+                           : nullptr;
+    if (name && *name)
+      last = name;
+    else if (vtkCompositeDataSet::SafeDownCast(blocks->GetCurrentDataObject()))
+      last.clear();
+  }
+  return last;
+}
+
+} // namespace
+
+std::vector<DatasetLeaf> DatasetLeaves(vtkDataObject* data)
+{
+  std::vector<DatasetLeaf> leaves;
+  const auto add = [&leaves](vtkDataSet* leaf, const std::string& name) {
+    leaves.push_back({leaf, name.empty() ? "dataset_" + std::to_string(leaves.size()) : name});
+  };
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data)) {
+    auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+      if (auto* leaf = vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject()))
+        add(leaf, NameOf(*composite, *iterator));
+  } else if (auto* leaf = vtkDataSet::SafeDownCast(data)) {
+    add(leaf, {});
+  }
+  return leaves;
+}
+
+bool IsPointCloud(vtkDataSet* data)
+{
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell) {
+    const int type = data->GetCellType(cell);
+    if (type != VTK_VERTEX && type != VTK_POLY_VERTEX && type != VTK_EMPTY_CELL)
+      return false;
+  }
+  return true;
+}
+
+double SpacingOf(vtkDataSet* data)
+{
+  vtkDataArray* spacing = data->GetFieldData() ? data->GetFieldData()->GetArray("spacing") : nullptr;
+  return spacing && spacing->GetNumberOfTuples() > 0 ? spacing->GetComponent(0, 0) : 0;
+}

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The datasets in a data object, with their names.
+#pragma once
+
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+class vtkDataSet;
+
+struct DatasetLeaf
+{
+  vtkDataSet* Data;
+  std::string Name; //!< of its block; "dataset_<k>" if it has none, k counting from 0
+};
+
+//! All leaf datasets of composite data in their order, or the dataset itself.
+std::vector<DatasetLeaf> DatasetLeaves(vtkDataObject* data);
+
+//! Whether it is a cloud of points: no cells at all, or none but vertices.
+bool IsPointCloud(vtkDataSet* data);
+
+//! Smoothing length over spacing of data that do not tell it; what most SPH codes use, this toolkit among them.
+constexpr double SmoothingOverSpacing = 1.2;
+
+//! The field array "spacing" [m], the distance of neighbours when they were made; 0 if there is none.
+double SpacingOf(vtkDataSet* data);

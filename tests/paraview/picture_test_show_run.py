@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# share/paraview/show_run.py makes pictures of runs with a rigid target and with one that bends, in which every view shows
+# something; its mistakes are told.
+import os
+import pathlib
+import subprocess
+
+import in_paraview as t
+import numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+root = pathlib.Path(__file__).parents[2]
+bird = """
+title = "A small bird"
+[bird]
+shape    = "capsule"
+mass     = "0.05 kg"
+spacing  = "6 mm"
+velocity = "150 m/s"
+[bird.parts]
+torso = { porosity = 0.4, share = 0.6 }
+bones = { porosity = 0.2, share = 0.4 }
+[target]
+plate    = { size = ["0.3 m", "0.3 m"], thickness = "1 mm", elements = [20, 20] }
+"""
+soft = 'rigid = false\nmaterial = "al-2024-t3"\n'
+end = '[run]\nend = "0.6 ms"\nframes = 5\n'
+
+
+def show(*arguments):
+    """Exit status and what was said."""
+    environment = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
+    done = subprocess.run(["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24", root / "share/paraview/pvbatch",
+                           root / "share/paraview/show_run.py", *map(str, arguments)],
+                          env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=300)
+    return done.returncode, done.stdout
+
+
+def read(path):
+    """Pixels of a picture as rows (from the top) x columns x 3."""
+    reader = vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    image = reader.GetOutput()
+    columns, rows, _ = image.GetDimensions()
+    pixels = t.numbers(image.GetPointData().GetScalars()).reshape(rows, columns, -1)
+    return pixels[::-1, :, :3].astype(int)
+
+
+def share_of_colour(pixels):
+    """Share of pixels that are neither white nor grey, and the number of different ones."""
+    vivid = pixels.max(axis=2) - pixels.min(axis=2) > 40
+    return vivid.mean(), len(numpy.unique(pixels.reshape(-1, 3), axis=0))
+
+
+with t.folder() as folder:
+    for name, text in (("stiff", bird + end), ("soft", bird + soft + end)):
+        with open(f"{folder}/{name}.toml", "w") as file:
+            file.write(text)
+        t.birdstrike("run", f"{folder}/{name}.toml", "-o", f"{folder}/{name}", "--threads", "1")
+
+    status, said = show(f"{folder}/stiff", "--save", f"{folder}/stiff.png", "--size", "1200x800")
+    assert status == 0, said
+    pixels = read(f"{folder}/stiff.png")
+    assert pixels.shape == (800, 1200, 3)
+    top = int(0.6 * 800)
+    for view in (pixels[:top, :600], pixels[:top, 600:]):  # bird, target
+        vivid, colours = share_of_colour(view)
+        assert vivid > 0.02 and colours > 200, (vivid, colours)
+    for view in (pixels[top:, :600], pixels[top:, 600:]):  # lines of the charts
+        vivid, colours = share_of_colour(view)
+        assert 0.0005 < vivid < 0.2, vivid
+    brown, green = [numpy.abs(pixels[:top, :120] - colour).max(axis=2).min() for colour in
+                    ((0xcf, 0x8f, 0x3c), (0x00, 0x9e, 0x73))]
+    assert brown <= 2 and green <= 2, "the legend of parts has its colours"
+
+    status, said = show(f"{folder}/soft/run.pvd", "--colour", "pressure", "--target", "plastic_strain", "--save",
+                        f"{folder}/soft.png", "--size", "1200x800", "--time", "0.0003")
+    assert status == 0, said
+    for view in (read(f"{folder}/soft.png")[:top, :600], read(f"{folder}/soft.png")[:top, 600:]):
+        vivid, colours = share_of_colour(view)
+        assert vivid > 0.02 and colours > 200, (vivid, colours)
+
+    status, said = show(f"{folder}/nowhere", "--save", f"{folder}/x.png")
+    assert status != 0 and "nowhere does not exist" in said, said
+    status, said = show(f"{folder}/stiff", "--colour", "temper", "--save", f"{folder}/x.png")
+    assert status != 0 and "'temper'" in said and "mean_pressure" in said, said
+    status, said = show()
+    assert status != 0 and "which run?" in said, said
