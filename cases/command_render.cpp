@@ -101,10 +101,8 @@ void read_look(const RenderTexts& texts, RenderOptions& options)
           "--no-target leaves nothing to colour; leave --target-colour, --target-opacity and --no-edges out");
   options.bird = !texts.no_bird;
   options.target = !texts.no_target;
-  options.fit = texts.fit == "target"  ? Fit::target
-                : texts.fit == "bird"  ? Fit::bird
-                : texts.fit == "start" ? Fit::start
-                                       : Fit::all;
+  if (texts.given("--fit"))
+    options.fit = fit_from_name(texts.fit);
 }
 
 void read_scenes(const RenderTexts& texts, RenderOptions& options)
@@ -197,7 +195,6 @@ void add_scene_options(CLI::App& command, RenderTexts& texts)
   command
       .add_option("--fit", texts.fit,
                   "What the camera holds: all, start (target, and bird at the start), bird, target")
-      ->check(CLI::IsMember({"all", "start", "bird", "target"}))
       ->default_str("all")
       ->group(scenes);
   CLI::Option* times =

@@ -145,6 +145,16 @@ fs::path draw_film(SeriesFrames& frames, const std::vector<std::size_t>& chosen,
 
 } // namespace
 
+Fit fit_from_name(const std::string& name)
+{
+  for (const auto& [known, fit] : {std::pair("all", Fit::all), std::pair("start", Fit::start),
+                                   std::pair("bird", Fit::bird), std::pair("target", Fit::target)})
+    if (name == known)
+      return fit;
+  throw InputError(
+      fmt::format("\"{}\" cannot be fitted into the picture; there are all, start, bird, target", name));
+}
+
 SnapshotOptions scene_options(const std::string& scene, SnapshotOptions look)
 {
   look.cut = scene == "cut";

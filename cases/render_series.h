@@ -22,6 +22,8 @@ enum class Fit
   bird,  //!< as all, without the target
   target
 };
+//! \throw InputError listing the names for another one
+Fit fit_from_name(const std::string& name);
 
 struct FilmOptions
 {
