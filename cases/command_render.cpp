@@ -186,7 +186,9 @@ std::vector<fs::path> draw_figures(const RenderTexts& texts)
 void add_scene_options(CLI::App& command, RenderTexts& texts)
 {
   const std::string scenes = "Scenes", colours = "Colours", files = "Files";
-  command.add_option("--scene", texts.scenes, "side, front, top, isometric, or cut open; may be repeated")
+  command
+      .add_option("--scene", texts.scenes,
+                  "side, front, top, isometric, behind, or cut open; may be repeated")
       ->allow_extra_args(false)
       ->group(scenes);
   command

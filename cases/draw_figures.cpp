@@ -17,6 +17,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <vtkImageData.h>
+#include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
 #include <cmath>
@@ -90,34 +91,76 @@ double contact_time(const fs::path& run)
   return found != summary.end() && found->is_number() ? found->get<double>() : 0;
 }
 
-//! "0.900 ms", on the clock of the figure; the scene where it changes from picture to picture.
+//! "0.900 ms", on the clock of the figure; the scene where it is another than in the first picture.
 std::string caption(const MontageFigure& figure, std::size_t panel, double time)
 {
   const bool varied = std::any_of(figure.scenes.begin(), figure.scenes.end(),
                                   [&](const std::string& scene) { return scene != figure.scenes.front(); });
-  return fmt::format("{:.3f} ms{}", 1e3 * time, varied ? ", " + figure.scenes[panel] : "");
+  const bool moves = figure.times.front() != figure.times.back();
+  if (varied && !moves)
+    return figure.scenes[panel];
+  return fmt::format("{:.3f} ms{}", 1e3 * time,
+                     figure.scenes[panel] != figure.scenes.front() ? ", " + figure.scenes[panel] : "");
+}
+
+//! Frames of a run that are nearest to a figure's times.
+std::vector<std::size_t> steps_of(const MontageFigure& figure, const SeriesIndex& index, double shift)
+{
+  std::vector<std::size_t> steps;
+  for (const double time : figure.times)
+    steps.push_back(index.nearest(time - shift));
+  return steps;
+}
+
+//! The figure's clock less the run's [s].
+double shift_of(const MontageFigure& figure, const FigureRun& run)
+{
+  return figure.contact ? *figure.contact - contact_time(run.folder) : 0;
+}
+
+//! Over all figures of this run that are drawn from the same distance, so that they can be compared.
+SeriesExtent common_extent(const MontageFigure& figure, const FigureRun& run, SeriesFrames& frames)
+{
+  std::vector<std::size_t> steps;
+  for (const MontageFigure* other : run.figures)
+    if (other->fit == figure.fit && other->target == figure.target &&
+        other->look.target_field == figure.look.target_field &&
+        other->look.colour_by == figure.look.colour_by)
+      for (const std::size_t step : steps_of(*other, frames.index(), shift_of(*other, run)))
+        steps.push_back(step);
+  return extent_of(frames, steps, figure.look, figure.fit);
+}
+
+//! Panels as wide as what they show needs.
+int panel_width(const MontageFigure& figure, const Bounds& bounds, int height)
+{
+  double aspect = 0;
+  for (const std::string& scene : figure.scenes)
+    aspect = std::max(aspect, width_over_height(bounds, scene_options(scene, figure.look).view));
+  constexpr double narrowest = 0.75, widest = 1.8, caption = 0.87; // of a panel's height that its scene has
+  return static_cast<int>(height * std::clamp(caption * aspect, narrowest, widest));
 }
 
 fs::path draw_figure(const MontageFigure& figure, const FigureRun& run, const fs::path& output, Log& log)
 {
-  SeriesFrames frames(run.folder / "run.pvd", true, true);
-  const double shift =
-      figure.contact ? *figure.contact - contact_time(run.folder) : 0; // figure's clock - ours
-  const std::vector<SeriesStep>& known = frames.index().steps;
-  std::vector<std::size_t> steps;
-  for (const double time : figure.times) {
-    steps.push_back(frames.index().nearest(time - shift));
-    if (std::abs(known[steps.back()].time + shift - time) > 0.05e-3)
+  SeriesFrames frames(run.folder / "run.pvd", true, figure.target);
+  const double shift = shift_of(figure, run);
+  const std::vector<std::size_t> steps = steps_of(figure, frames.index(), shift);
+  for (std::size_t k = 0; k < steps.size(); ++k)
+    if (const double found = frames.index().steps[steps[k]].time + shift;
+        std::abs(found - figure.times[k]) > 0.05e-3)
       log.warn(fmt::format("figure {}: the run has no frame near {:.3g} ms; the nearest is at {:.3g} ms",
-                           figure.number, 1e3 * time, 1e3 * (known[steps.back()].time + shift)));
-  }
-  SeriesExtent extent = extent_of(frames, steps, figure.look, figure.fit);
-  extent.look.title = fitting_title(
-      fmt::format("{}: {}", figure.number, figure.title.empty() ? run.run.parsed.title : figure.title));
+                           figure.number, 1e3 * figure.times[k], 1e3 * found));
+  SeriesExtent extent = common_extent(figure, run, frames);
+  extent.look.title =
+      fmt::format("Figure {}: {}", figure.number, figure.title.empty() ? run.run.parsed.title : figure.title);
   extent.look.scale_bar = true;
   MontageOptions montage;
-  extent.look.width = montage.snapshot.width;
   extent.look.height = montage.snapshot.height;
+  extent.look.width = panel_width(figure, extent.bounds, extent.look.height);
+  const Frame first = frames.get(steps.front());
+  extent.look.legend = extent.look.colour_by != "part" || !extent.look.target_field.empty() ||
+                       (first.bird && parts_of(*first.bird).size() > 1);
   montage.columns = figure.columns;
   std::vector<Frame> shown;
   for (std::size_t k = 0; k < steps.size(); ++k) {

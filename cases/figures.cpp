@@ -105,12 +105,6 @@ bool is_halved(vtkUnstructuredGrid& bird)
   return -bounds[2] > 0.2 * (bounds[3] - bounds[2]) && bounds[3] > 0.2 * (bounds[3] - bounds[2]);
 }
 
-std::string to_text(const Colour& colour)
-{
-  return fmt::format("#{:02x}{:02x}{:02x}", std::lround(255 * colour[0]), std::lround(255 * colour[1]),
-                     std::lround(255 * colour[2]));
-}
-
 std::vector<double> column(const History& history, std::size_t index, double factor)
 {
   std::vector<double> values(history.rows());
@@ -199,7 +193,7 @@ std::vector<fs::path> write_plots(const History& history, const History& frames,
       series.colour = "#c4c4c4";
       series.line_width = 5;
     } else {
-      series.colour = to_text(part_colour(series.name, pressure.series.size() - 1));
+      series.colour = text_from_colour(part_colour(series.name, pressure.series.size() - 1));
       series.line_width = 1.3;
     }
     pressure.series.push_back(std::move(series));

@@ -91,6 +91,11 @@ MontageFigure read_figure(StrictTable& table)
   });
   read_text(table, "cut_plane", [&](const std::string& text) { look.plane = parse_plane(text); });
   read_text(table, "fit", [&](const std::string& text) { figure.fit = fit_from_name(text); });
+  if (const toml::node* target = table.find("target")) {
+    if (!target->is_boolean())
+      table.fail("target", "true or false is needed");
+    figure.target = target->as_boolean()->get();
+  }
   table.finish();
   return figure;
 }

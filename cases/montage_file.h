@@ -24,6 +24,7 @@ struct MontageFigure
   int columns = 2;
   SnapshotOptions look; //!< colours and ranges
   Fit fit = Fit::bird;
+  bool target = true; //!< is drawn
 };
 
 struct MontageFile

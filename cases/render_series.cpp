@@ -166,7 +166,7 @@ SnapshotOptions scene_options(const std::string& scene, SnapshotOptions look)
     look.view = view_from_name(scene);
   } catch (const InputError&) {
     throw InputError(
-        fmt::format("there is no scene \"{}\"; there are side, front, top, isometric, cut", scene));
+        fmt::format("there is no scene \"{}\"; there are side, front, top, isometric, behind, cut", scene));
   }
   return look;
 }

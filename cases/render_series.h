@@ -52,7 +52,7 @@ struct RenderOptions
   std::optional<FilmOptions> film;
 };
 
-//! View and cut of a scene: "side", "front", "top", "isometric", whole; "cut", open at look.plane and seen across it.
+//! View and cut of a scene: "side", "front", "top", "isometric", "behind", whole; "cut", open at look.plane and seen across it.
 //! \throw InputError listing the scenes for another name
 SnapshotOptions scene_options(const std::string& scene, SnapshotOptions look);
 

@@ -55,12 +55,12 @@ Bounds robust_bounds(vtkUnstructuredGrid& bird)
   return bounds;
 }
 
-//! No further than half a length of the base box beyond it: what flies off far is not followed.
-void limit(Bounds& bounds, const Bounds& base)
+//! No further than so many lengths of the base box beyond it: what flies off far is not followed.
+void limit(Bounds& bounds, const Bounds& base, double lengths)
 {
   double reach = 0;
   for (std::size_t k = 0; k < 6; k += 2)
-    reach = std::max(reach, 0.5 * (base[k + 1] - base[k]));
+    reach = std::max(reach, lengths * (base[k + 1] - base[k]));
   for (std::size_t k = 0; k < 6; k += 2) {
     bounds[k] = std::max(bounds[k], base[k] - reach);
     bounds[k + 1] = std::min(bounds[k + 1], base[k + 1] + reach);
@@ -167,7 +167,7 @@ SeriesExtent extent_of(SeriesFrames& frames, const std::vector<std::size_t>& ste
       widen(base, bounds_of(frame));
     }
   }
-  limit(wide, base);
+  limit(wide, base, fit == Fit::bird ? 1.5 : 0.5); // the bird alone may well be shorter than its flight
   widen(base, wide);
   if (of_bird && !bird.empty())
     look.range = bird.range();

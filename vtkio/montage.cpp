@@ -93,7 +93,9 @@ vtkSmartPointer<vtkImageData> draw_montage(const std::vector<Frame>& frames, con
                     scenes.back()->metres_per_pixel(), font * 8 / 10, ink);
   }
   if (title > 0)
-    page.ground().AddActor2D(make_text(panel.title, 0.6 * font, height - title / 2, font, Anchor::left, ink));
+    page.ground().AddActor2D(make_text(panel.title, 0.6 * font, height - title / 2,
+                                       fitting_font(font, width - 1.2 * font, panel.title.size()),
+                                       Anchor::left, ink));
   const auto with_bird = std::find_if(frames.begin(), frames.end(), [](const Frame& f) { return f.bird; });
   const bool of_bird = with_bird != frames.end();
   const bool of_target = !panel.target_field.empty() &&

@@ -156,9 +156,10 @@ CameraAxes camera_axes(View view)
     return {{1, 0, 0}, {0, 0, 1}};
   case View::top:
     return {{0, 0, -1}, {0, 1, 0}};
-  case View::isometric: {
+  case View::isometric:
+  case View::behind: {
     // From the bird's right, ahead of the plate and above, so that the face that is hit can be seen.
-    const Vector d = Vector(0.72, 0.62, -0.42).normalized();
+    const Vector d = Vector(view == View::behind ? -0.72 : 0.72, 0.62, -0.42).normalized();
     const Vector up = (Vector::UnitZ() - d * d.z()).normalized();
     return {{d.x(), d.y(), d.z()}, {up.x(), up.y(), up.z()}};
   }
@@ -194,13 +195,15 @@ Scene::Scene(const SnapshotOptions& options, const Bounds& bounds, double width,
 
 Scene::~Scene() = default;
 
-void Scene::place_camera(const Bounds& bounds, double aspect, double height)
+namespace {
+
+//! Half the size, along right, up and depth, of a box as the camera sees it.
+Vector half_size(const Bounds& bounds, View view)
 {
-  const CameraAxes axes = camera_axes(options_.view);
+  const CameraAxes axes = camera_axes(view);
   const Vector direction(axes.direction.data()), up(axes.up.data()), right = direction.cross(up);
   const Vector low(bounds[0], bounds[2], bounds[4]), high(bounds[1], bounds[3], bounds[5]);
   const Vector centre = (low + high) / 2;
-  // Half the size, along right, up and depth, of the box that the camera has to hold.
   Vector half = Vector::Zero();
   for (int corner = 0; corner < 8; ++corner) {
     const Vector p((corner & 1 ? high : low).x(), (corner & 2 ? high : low).y(),
@@ -208,6 +211,24 @@ void Scene::place_camera(const Bounds& bounds, double aspect, double height)
     const Vector seen((p - centre).dot(right), (p - centre).dot(up), (p - centre).dot(direction));
     half = half.cwiseMax(seen.cwiseAbs());
   }
+  return half;
+}
+
+} // namespace
+
+double width_over_height(const Bounds& bounds, View view)
+{
+  const Vector half = half_size(bounds, view);
+  return std::max(half.x(), 1e-9) / std::max(half.y(), 1e-9);
+}
+
+void Scene::place_camera(const Bounds& bounds, double aspect, double height)
+{
+  const CameraAxes axes = camera_axes(options_.view);
+  const Vector direction(axes.direction.data()), up(axes.up.data());
+  const Vector low(bounds[0], bounds[2], bounds[4]), high(bounds[1], bounds[3], bounds[5]);
+  const Vector centre = (low + high) / 2;
+  const Vector half = half_size(bounds, options_.view);
   const double reach = std::max({half.x(), half.y(), half.z(), 1e-6});
   vtkCamera& camera = *renderer_->GetActiveCamera();
   const Vector eye = centre - direction * 10 * reach;

@@ -80,4 +80,7 @@ struct CameraAxes
 };
 CameraAxes camera_axes(View view);
 
+//! Of the picture of a box seen from there.
+double width_over_height(const Bounds& bounds, View view);
+
 } // namespace birdstrike

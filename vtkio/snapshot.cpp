@@ -25,12 +25,15 @@ namespace birdstrike {
 
 View view_from_name(const std::string& name)
 {
-  static const std::pair<const char*, View> views[] = {
-      {"side", View::side}, {"front", View::front}, {"top", View::top}, {"isometric", View::isometric}};
+  static const std::pair<const char*, View> views[] = {{"side", View::side},
+                                                       {"front", View::front},
+                                                       {"top", View::top},
+                                                       {"isometric", View::isometric},
+                                                       {"behind", View::behind}};
   for (const auto& [known, view] : views)
     if (name == known)
       return view;
-  throw InputError("there is no view \"" + name + "\"; there are side, front, top, isometric");
+  throw InputError("there is no view \"" + name + "\"; there are side, front, top, isometric, behind");
 }
 
 namespace {

@@ -16,16 +16,18 @@ class vtkImageData;
 namespace birdstrike {
 
 //! Where the camera stands. Side: looks along +y, flight to the right along +x, +z up.
-//! Front: looks along +x, as the bird sees the plate. Top: looks along -z, flight to the right.
+//! Front: looks along +x, as the bird sees the plate. Top: looks along -z, flight to the right. Isometric: from above,
+//! beside and behind the bird. Behind: from above, beside and behind the target, which the bird then does not hide.
 enum class View
 {
   side,
   front,
   top,
-  isometric
+  isometric,
+  behind
 };
 
-//! "side", "front", "top", "isometric". \throw InputError listing these for another name
+//! "side", "front", "top", "isometric", "behind". \throw InputError listing these for another name
 View view_from_name(const std::string& name);
 
 struct SnapshotOptions

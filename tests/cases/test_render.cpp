@@ -85,7 +85,7 @@ TEST_CASE("options of render that cannot be meant are refused with the remedy", 
 {
   const MadeRun run;
   const std::pair<const char*, std::vector<const char*>> wrong[] = {
-      {"--scene back", {"no scene \"back\"", "isometric, cut"}},
+      {"--scene back", {"no scene \"back\"", "isometric, behind, cut"}},
       {"--colour-by heat", {"cannot colour by \"heat\"", "velocity_x", "pressure"}},
       {"--target-colour heat", {"cannot colour the target by \"heat\"", "contact_pressure"}},
       {"--range '0 MPa,1 MPa'", {"--range", "--colour-by pressure"}},
