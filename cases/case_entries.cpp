@@ -141,6 +141,12 @@ bool is_study(const std::vector<Entry>& entries)
                      [](const Entry& entry) { return entry.path[0] == "sweep" || entry.path[0] == "base"; });
 }
 
+bool is_figures(const std::vector<Entry>& entries)
+{
+  return std::any_of(entries.begin(), entries.end(),
+                     [](const Entry& entry) { return entry.path[0] == "figure"; });
+}
+
 Entry parse_override(const std::string& text)
 {
   const std::size_t equals = text.find('=');

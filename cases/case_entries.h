@@ -37,6 +37,9 @@ Entry parse_override(const std::string& text);
 //! Whether a file with these entries is a study (study.h) rather than a case.
 bool is_study(const std::vector<Entry>& entries);
 
+//! Whether it is a file of figures (montage_file.h).
+bool is_figures(const std::vector<Entry>& entries);
+
 //! Overrides replace entries of the same path, others are added.
 void apply_override(std::vector<Entry>& entries, Entry override_entry);
 

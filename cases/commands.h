@@ -15,6 +15,8 @@ void add_bird_command(CLI::App& program);
 void add_histories_command(CLI::App& program);
 void add_render_command(CLI::App& program);
 void add_series_command(CLI::App& program);
+void add_figures_command(CLI::App& program);
+void add_plot_command(CLI::App& program);
 void add_cases_command(CLI::App& program);
 void add_theory_command(CLI::App& program);
 

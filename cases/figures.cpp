@@ -7,6 +7,7 @@
 #include "vtkio/montage.h"
 #include "vtkio/palette.h"
 #include "vtkio/plot.h"
+#include "vtkio/robust_range.h"
 
 #include <fmt/format.h>
 #include <vtkCellData.h>
@@ -40,27 +41,15 @@ std::vector<Frame> chosen_frames(const SeriesIndex& index)
   return frames;
 }
 
-//! One scale for all pictures: up to the pressure that 98 % of the particles of the worst frame stay below,
-//! rounded up to two digits, so that a single particle does not turn everything else into one colour.
+//! One scale for all pictures, from no pressure on.
 std::array<double, 2> pressure_range(const std::vector<Frame>& frames)
 {
-  double high = 0;
-  for (const Frame& frame : frames) {
-    vtkDataArray* pressure = frame.bird ? frame.bird->GetPointData()->GetArray("pressure") : nullptr;
-    if (!pressure || pressure->GetNumberOfTuples() == 0)
-      continue;
-    std::vector<double> values(pressure->GetNumberOfTuples());
-    for (std::size_t i = 0; i < values.size(); ++i)
-      values[i] = pressure->GetTuple1(static_cast<vtkIdType>(i));
-    const auto rank =
-        values.begin() + static_cast<std::ptrdiff_t>(0.98 * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), rank, values.end());
-    high = std::max(high, *rank);
-  }
-  if (!(high > 0))
-    return {0, 1e6};
-  const double digit = std::pow(10.0, std::floor(std::log10(high)) - 1);
-  return {0, std::ceil(high / digit) * digit};
+  RobustRange range;
+  for (const Frame& frame : frames)
+    if (frame.bird)
+      if (const auto pressure = find_shown_array(*frame.bird->GetPointData(), "pressure"))
+        range.add(*pressure);
+  return {0, range.high() > 0 ? rounded_outwards(range.high(), true) : 1e6};
 }
 
 //! Largest value of an array of the target in all frames; vectors by their length.
@@ -114,12 +103,6 @@ bool is_halved(vtkUnstructuredGrid& bird)
   double bounds[6];
   bird.GetBounds(bounds);
   return -bounds[2] > 0.2 * (bounds[3] - bounds[2]) && bounds[3] > 0.2 * (bounds[3] - bounds[2]);
-}
-
-std::string to_text(const Colour& colour)
-{
-  return fmt::format("#{:02x}{:02x}{:02x}", std::lround(255 * colour[0]), std::lround(255 * colour[1]),
-                     std::lround(255 * colour[2]));
 }
 
 std::vector<double> column(const History& history, std::size_t index, double factor)
@@ -210,7 +193,7 @@ std::vector<fs::path> write_plots(const History& history, const History& frames,
       series.colour = "#c4c4c4";
       series.line_width = 5;
     } else {
-      series.colour = to_text(part_colour(series.name, pressure.series.size() - 1));
+      series.colour = text_from_colour(part_colour(series.name, pressure.series.size() - 1));
       series.line_width = 1.3;
     }
     pressure.series.push_back(std::move(series));

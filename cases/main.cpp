@@ -27,6 +27,8 @@ int main(int argc, char** argv)
   add_histories_command(program);
   add_render_command(program);
   add_series_command(program);
+  add_figures_command(program);
+  add_plot_command(program);
   add_cases_command(program);
   add_theory_command(program);
 

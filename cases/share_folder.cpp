@@ -55,6 +55,8 @@ std::vector<CatalogueEntry> catalogue()
                          item.path()};
     try {
       const std::vector<Entry> keys = read_entries(item.path());
+      if (is_figures(keys))
+        continue;
       entry.study = is_study(keys);
       for (const Entry& key : keys)
         if (key.path.size() == 1 && key.path[0] == "title" &&

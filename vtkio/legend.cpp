@@ -83,12 +83,6 @@ void add_strip(vtkRenderer& renderer, const Rectangle& place)
   renderer.AddActor2D(actor);
 }
 
-// A font no larger than asked for with which the text fits; a letter is some 0.62 as wide as high.
-int fitting(int font, double width, std::size_t letters)
-{
-  return std::max(6, std::min(font, static_cast<int>(width / (0.62 * static_cast<double>(letters)))));
-}
-
 } // namespace
 
 void add_part_legend(vtkRenderer& renderer, const Rectangle& place, const std::vector<LegendEntry>& parts,
@@ -100,7 +94,7 @@ void add_part_legend(vtkRenderer& renderer, const Rectangle& place, const std::v
     longest = std::max(longest, part.name.size());
   const auto count = static_cast<double>(std::max<std::size_t>(parts.size(), 1));
   const double row = upright ? std::min(1.7 * font, place.height / count) : place.width / count;
-  font = fitting(font, upright ? place.width : row, longest + 2);
+  font = fitting_font(font, upright ? place.width : row, longest + 2);
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const double x = place.x + (upright ? 0 : row * static_cast<double>(k));
     const double y =
@@ -118,8 +112,8 @@ void add_scalar_bar(vtkRenderer& renderer, const Rectangle& place, const std::st
   std::replace(title.begin(), title.end(), '_', ' ');
   const bool upright = place.height > place.width;
   const double share = place.width > 40 * font ? 0.3 : 0.42; // of a lying bar's place that its title has
-  const int title_font = fitting(font, upright ? place.width : share * place.width - font,
-                                 title.size() + (upright ? 1 : 3 + shown.unit.size()));
+  const int title_font = fitting_font(font, upright ? place.width : share * place.width - font,
+                                      title.size() + (upright ? 1 : 3 + shown.unit.size()));
   const double title_height = 3.0 * font;
   const Rectangle bar =
       upright ? Rectangle{place.x, place.y + 0.6 * font, 1.2 * font, place.height - title_height - 1.2 * font}

@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "vtkio/page.h"
+#include "vtkio/scale_bar.h"
 #include "vtkio/text_style.h"
 #include "vtkio/write_png.h"
 
@@ -22,17 +23,42 @@ namespace birdstrike {
 void write_montage(const std::vector<Frame>& frames, const Bounds& bounds, const MontageOptions& options,
                    const std::filesystem::path& png)
 {
+  write_png(*draw_montage(frames, bounds, options), png);
+}
+
+vtkSmartPointer<vtkImageData> draw_montage(const std::vector<Frame>& frames, const Bounds& bounds,
+                                           const MontageOptions& options,
+                                           std::vector<std::array<double, 4>>* canvases)
+{
   const SnapshotOptions& panel = options.snapshot;
   check_options(panel);
   require(frames.size() >= 2 && frames.size() <= 26,
           fmt::format("a montage shows 2 to 26 frames, not {}", frames.size()));
   require(options.columns >= 1, fmt::format("a montage cannot have {} columns", options.columns));
 
+  require((options.captions.empty() || options.captions.size() == frames.size()) &&
+              (options.looks.empty() || options.looks.size() == frames.size()),
+          fmt::format("a montage of {} panels has {} captions and {} looks; each panel needs one",
+                      frames.size(), options.captions.size(), options.looks.size()));
+
   const int columns = std::min(options.columns, static_cast<int>(frames.size()));
   const int rows = (static_cast<int>(frames.size()) + columns - 1) / columns;
-  const int font = std::max(12, panel.height / 14);
-  const double title = panel.title.empty() ? 0 : 2.2 * font, legend = panel.legend ? 3.4 * font : 0;
-  const int width = columns * panel.width, height = rows * panel.height + static_cast<int>(title + legend);
+  // Heights of title and legend go with that of a panel, so one follows from the other.
+  const double above = panel.title.empty() ? 0 : 2.2, below = panel.legend ? 3.4 : 0, letters = 14;
+  const int font =
+      std::max(12, static_cast<int>((options.height > 0 ? options.height / (rows + (above + below) / letters)
+                                                        : panel.height) /
+                                    letters));
+  const double title = above * font, legend = below * font;
+  const int width = options.width > 0 ? options.width : columns * panel.width;
+  const int height =
+      options.height > 0 ? options.height : rows * panel.height + static_cast<int>(title + legend);
+  const double panel_width = static_cast<double>(width) / columns,
+               panel_height = options.height > 0 ? (height - title - legend) / rows : panel.height;
+  require(
+      panel_width >= 64 && panel_height >= 64,
+      fmt::format("a montage of {} x {} panels does not fit into {} x {} pixels; ask for a larger picture",
+                  columns, rows, width, height));
   require(width <= 16384 && height <= 16384,
           fmt::format("a montage of {} x {} pixels cannot be drawn; ask for smaller panels", width, height));
 
@@ -42,18 +68,34 @@ void write_montage(const std::vector<Frame>& frames, const Bounds& bounds, const
   std::vector<std::unique_ptr<Scene>> scenes;
   for (std::size_t k = 0; k < frames.size(); ++k) {
     const int column = static_cast<int>(k) % columns, row = static_cast<int>(k) / columns;
-    const double x = column * panel.width, y = height - title - (row + 1.0) * panel.height;
+    const double x = column * panel_width, y = height - title - (row + 1.0) * panel_height;
     const double caption = 1.8 * font;
-    const Rectangle canvas{x, y, static_cast<double>(panel.width), panel.height - caption};
-    scenes.push_back(std::make_unique<Scene>(panel, bounds, canvas.width, canvas.height));
+    const Rectangle canvas{x, y, panel_width, panel_height - caption};
+    const SnapshotOptions& look = options.looks.empty() ? panel : options.looks[k];
+    scenes.push_back(std::make_unique<Scene>(look, bounds, canvas.width, canvas.height));
     scenes.back()->show(frames[k], ranges);
     page.place(*scenes.back(), canvas);
-    page.ground().AddActor2D(
-        make_text(fmt::format("{})  {:.3f} ms", static_cast<char>('a' + k), 1e3 * frames[k].time),
-                  x + 0.6 * font, y + panel.height - caption / 2, font, Anchor::left, ink));
+    if (canvases)
+      canvases->push_back({canvas.x, canvas.y, canvas.width, canvas.height});
+    const std::string text =
+        options.captions.empty() ? fmt::format("{:.3f} ms", 1e3 * frames[k].time) : options.captions[k];
+    page.ground().AddActor2D(make_text(fmt::format("{})  {}", static_cast<char>('a' + k), text),
+                                       x + 0.6 * font, y + panel_height - caption / 2, font, Anchor::left,
+                                       ink));
+    if (k > 0 && (options.looks.empty() || options.looks[k - 1].view == look.view))
+      continue; // the same camera again
+    if (panel.axes)
+      page.add_axes(look.view, canvas, 3.4 * font);
+    if (panel.scale_bar)
+      add_scale_bar(page.ground(),
+                    {x + 0.7 * panel_width - 0.6 * font, y + panel_height - caption + 0.25 * font,
+                     0.3 * panel_width, caption},
+                    scenes.back()->metres_per_pixel(), font * 8 / 10, ink);
   }
   if (title > 0)
-    page.ground().AddActor2D(make_text(panel.title, 0.6 * font, height - title / 2, font, Anchor::left, ink));
+    page.ground().AddActor2D(make_text(panel.title, 0.6 * font, height - title / 2,
+                                       fitting_font(font, width - 1.2 * font, panel.title.size()),
+                                       Anchor::left, ink));
   const auto with_bird = std::find_if(frames.begin(), frames.end(), [](const Frame& f) { return f.bird; });
   const bool of_bird = with_bird != frames.end();
   const bool of_target = !panel.target_field.empty() &&
@@ -70,7 +112,7 @@ void write_montage(const std::vector<Frame>& frames, const Bounds& bounds, const
     else
       add_scalar_bar(page.ground(), place, panel.colour_by, ranges.bird, font, ink);
   }
-  write_png(*page.draw(), png);
+  return page.draw();
 }
 
 } // namespace birdstrike

@@ -26,6 +26,9 @@ void check_options(const SnapshotOptions& options)
   require(options.width >= 64 && options.height >= 64 && options.width <= 16384 && options.height <= 16384,
           fmt::format("a picture of {} x {} pixels cannot be drawn; each side must be 64 to 16384",
                       options.width, options.height));
+  require(options.target_opacity >= 0 && options.target_opacity <= 1,
+          fmt::format("target opacity {}: a share, 0 (not seen) to 1 (solid), is needed",
+                      options.target_opacity));
   for (const double part : options.background)
     require(part >= 0 && part <= 1, fmt::format("background: {} is not a share of a colour, 0 to 1", part));
   for (const auto& range : {options.range, options.target_range})

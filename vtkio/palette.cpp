@@ -7,6 +7,7 @@
 #include <vtkLookupTable.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace birdstrike {
@@ -35,6 +36,15 @@ Colour colour_from_text(const std::string& text)
                     text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
   require(fine, "colour \"" + text + "\": it must look like \"#0072b2\"");
   return rgb(static_cast<unsigned int>(std::stoul(text.substr(1), nullptr, 16)));
+}
+
+std::string text_from_colour(const Colour& colour)
+{
+  std::string text = "#";
+  for (const double part : colour)
+    for (const int shift : {4, 0})
+      text += "0123456789abcdef"[(std::lround(255 * std::clamp(part, 0.0, 1.0)) >> shift) & 15];
+  return text;
 }
 
 Colour line_colour(std::size_t k)

@@ -17,6 +17,9 @@ using Colour = std::array<double, 3>; //!< red, green, blue, each 0 ... 1
 //! \throw InputError unless the text is "#rrggbb"
 Colour colour_from_text(const std::string& text);
 
+//! "#rrggbb".
+std::string text_from_colour(const Colour& colour);
+
 //! Colour of line number k of a plot; repeats after eight.
 Colour line_colour(std::size_t k);
 

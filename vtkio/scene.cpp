@@ -3,7 +3,8 @@
 #include "vtkio/scene.h"
 
 #include "core/error.h"
-#include "vtkio/array_range.h"
+#include "vtkio/scale_bar.h"
+#include "vtkio/shown_array.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -22,6 +23,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <Eigen/Geometry>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,10 +44,10 @@ constexpr const char* sphere_shader = "//VTK::Color::Impl\n"
                                       "ambientColor = diffuseColor * (0.38 + 0.70 * light) + vec3(gloss);\n"
                                       "diffuseColor = vec3(0.0);\n";
 
-vtkDataArray& find_array(vtkUnstructuredGrid& bird, const std::string& name)
+ShownArray find_array(vtkUnstructuredGrid& bird, const std::string& name)
 {
-  if (vtkDataArray* array = bird.GetPointData()->GetArray(name.c_str()))
-    return *array;
+  if (const auto shown = find_shown_array(*bird.GetPointData(), name))
+    return *shown;
   throw InputError("cannot colour by \"" + name + "\": the bird has no such array; it has " +
                    names_of_arrays(*bird.GetPointData()));
 }
@@ -65,12 +67,11 @@ std::vector<float> radii_of(vtkUnstructuredGrid& bird)
   vtkDataArray* spacing = bird.GetFieldData()->GetArray("spacing");
   if (spacing && spacing->GetNumberOfTuples() == 1 && spacing->GetTuple1(0) > 0)
     return std::vector<float>(count, static_cast<float>(share * spacing->GetTuple1(0)));
-  vtkDataArray& mass = find_array(bird, "mass");
-  vtkDataArray& density = find_array(bird, "density");
+  const ShownArray mass = find_array(bird, "mass"), density = find_array(bird, "density");
   std::vector<float> radii(count);
   for (std::size_t i = 0; i < count; ++i) {
     const auto k = static_cast<vtkIdType>(i);
-    radii[i] = static_cast<float>(share * std::cbrt(mass.GetComponent(k, 0) / density.GetComponent(k, 0)));
+    radii[i] = static_cast<float>(share * std::cbrt(mass.value(k) / density.value(k)));
   }
   return radii;
 }
@@ -79,7 +80,7 @@ std::vector<float> radii_of(vtkUnstructuredGrid& bird)
 
 std::vector<LegendEntry> parts_of(vtkUnstructuredGrid& bird)
 {
-  vtkDataArray& part = find_array(bird, "part");
+  vtkDataArray& part = *find_array(bird, "part").array;
   std::vector<bool> there(256, false);
   for (vtkIdType i = 0; i < part.GetNumberOfTuples(); ++i)
     there[static_cast<std::size_t>(std::clamp(part.GetComponent(i, 0), 0.0, 255.0))] = true;
@@ -132,6 +133,22 @@ bool is_cut(const SnapshotOptions& options)
   return options.cut.value_or(options.view == View::side && options.colour_by == "part");
 }
 
+std::optional<HalfSpace> kept(const SnapshotOptions& options)
+{
+  if (!is_cut(options))
+    return std::nullopt;
+  const double along = camera_axes(options.view).direction[static_cast<std::size_t>(options.plane.axis)];
+  return HalfSpace{options.plane, along < 0 ? -1.0 : 1.0};
+}
+
+std::string cut_text(const CutPlane& plane)
+{
+  const std::string place = plane.at == 0  ? "0"
+                            : plane.at < 0 ? "-" + length_text(-plane.at)
+                                           : length_text(plane.at);
+  return fmt::format("cut at {} = {}", "xyz"[plane.axis], place);
+}
+
 CameraAxes camera_axes(View view)
 {
   switch (view) {
@@ -139,9 +156,10 @@ CameraAxes camera_axes(View view)
     return {{1, 0, 0}, {0, 0, 1}};
   case View::top:
     return {{0, 0, -1}, {0, 1, 0}};
-  case View::isometric: {
+  case View::isometric:
+  case View::behind: {
     // From the bird's right, ahead of the plate and above, so that the face that is hit can be seen.
-    const Vector d = Vector(0.72, 0.62, -0.42).normalized();
+    const Vector d = Vector(view == View::behind ? -0.72 : 0.72, 0.62, -0.42).normalized();
     const Vector up = (Vector::UnitZ() - d * d.z()).normalized();
     return {{d.x(), d.y(), d.z()}, {up.x(), up.y(), up.z()}};
   }
@@ -152,7 +170,7 @@ CameraAxes camera_axes(View view)
 }
 
 Scene::Scene(const SnapshotOptions& options, const Bounds& bounds, double width, double height)
-    : options_(options), target_(options, is_cut(options), *renderer_)
+    : options_(options), target_(options, *renderer_)
 {
   bird_mapper_->EmissiveOff();
   bird_mapper_->SetScaleFactor(1.0);
@@ -168,18 +186,24 @@ Scene::Scene(const SnapshotOptions& options, const Bounds& bounds, double width,
 
   renderer_->SetBackground(options.background[0], options.background[1], options.background[2]);
   renderer_->AddActor(bird_);
-  place_camera(bounds, width / height);
+  if (options.target_opacity < 1) {
+    renderer_->SetUseDepthPeeling(true);
+    renderer_->SetMaximumNumberOfPeels(8);
+  }
+  place_camera(bounds, width / height, height);
 }
 
 Scene::~Scene() = default;
 
-void Scene::place_camera(const Bounds& bounds, double aspect)
+namespace {
+
+//! Half the size, along right, up and depth, of a box as the camera sees it.
+Vector half_size(const Bounds& bounds, View view)
 {
-  const CameraAxes axes = camera_axes(options_.view);
+  const CameraAxes axes = camera_axes(view);
   const Vector direction(axes.direction.data()), up(axes.up.data()), right = direction.cross(up);
   const Vector low(bounds[0], bounds[2], bounds[4]), high(bounds[1], bounds[3], bounds[5]);
   const Vector centre = (low + high) / 2;
-  // Half the size, along right, up and depth, of the box that the camera has to hold.
   Vector half = Vector::Zero();
   for (int corner = 0; corner < 8; ++corner) {
     const Vector p((corner & 1 ? high : low).x(), (corner & 2 ? high : low).y(),
@@ -187,6 +211,24 @@ void Scene::place_camera(const Bounds& bounds, double aspect)
     const Vector seen((p - centre).dot(right), (p - centre).dot(up), (p - centre).dot(direction));
     half = half.cwiseMax(seen.cwiseAbs());
   }
+  return half;
+}
+
+} // namespace
+
+double width_over_height(const Bounds& bounds, View view)
+{
+  const Vector half = half_size(bounds, view);
+  return std::max(half.x(), 1e-9) / std::max(half.y(), 1e-9);
+}
+
+void Scene::place_camera(const Bounds& bounds, double aspect, double height)
+{
+  const CameraAxes axes = camera_axes(options_.view);
+  const Vector direction(axes.direction.data()), up(axes.up.data());
+  const Vector low(bounds[0], bounds[2], bounds[4]), high(bounds[1], bounds[3], bounds[5]);
+  const Vector centre = (low + high) / 2;
+  const Vector half = half_size(bounds, options_.view);
   const double reach = std::max({half.x(), half.y(), half.z(), 1e-6});
   vtkCamera& camera = *renderer_->GetActiveCamera();
   const Vector eye = centre - direction * 10 * reach;
@@ -195,6 +237,7 @@ void Scene::place_camera(const Bounds& bounds, double aspect)
   camera.SetPosition(eye.x(), eye.y(), eye.z());
   camera.SetViewUp(up.x(), up.y(), up.z());
   camera.SetParallelScale(1.04 * std::max(half.y(), half.x() / aspect));
+  metres_per_pixel_ = 2 * camera.GetParallelScale() / height;
   camera.SetClippingRange(1 * reach,
                           19 * reach); // debris may leave the box towards the camera or away from it
 }
@@ -210,7 +253,7 @@ void Scene::show(const Frame& frame, const Ranges& ranges)
 void Scene::show_bird(vtkUnstructuredGrid& bird, const std::array<double, 2>& range)
 {
   const bool by_part = options_.colour_by == "part";
-  vtkDataArray& values = find_array(bird, options_.colour_by);
+  const ShownArray values = find_array(bird, options_.colour_by);
   const std::vector<float> radii = radii_of(bird);
   vtkSmartPointer<vtkLookupTable> map = make_colour_map(range[0], range[1]);
   std::vector<Colour> part_colours;
@@ -224,17 +267,17 @@ void Scene::show_bird(vtkUnstructuredGrid& bird, const std::array<double, 2>& ra
   vtkNew<vtkUnsignedCharArray> colour;
   colour->SetName("colour");
   colour->SetNumberOfComponents(3);
-  const bool cut = is_cut(options_);
+  const std::optional<HalfSpace> keep = kept(options_);
   for (vtkIdType i = 0; i < bird.GetNumberOfPoints(); ++i) {
     std::array<double, 3> p{};
     bird.GetPoint(i, p.data());
-    if ((cut && p[1] < 0) || !std::isfinite(p[0] + p[1] + p[2]))
+    if ((keep && keep->depth(p) < 0) || !std::isfinite(p[0] + p[1] + p[2]))
       continue;
     Colour c;
     if (by_part)
-      c = part_colours[static_cast<std::size_t>(std::clamp(values.GetComponent(i, 0), 0.0, 255.0))];
+      c = part_colours[static_cast<std::size_t>(std::clamp(values.value(i), 0.0, 255.0))];
     else
-      map->GetColor(length_of_tuple(values, i), c.data());
+      map->GetColor(values.value(i), c.data());
     points->InsertNextPoint(p.data());
     radius->InsertNextValue(radii[static_cast<std::size_t>(i)]);
     for (const double part : c)

@@ -2,6 +2,7 @@
 // The three-dimensional part of a picture: particles and target before a fixed camera.
 #pragma once
 
+#include "vtkio/cut_plane.h"
 #include "vtkio/palette.h"
 #include "vtkio/snapshot.h"
 #include "vtkio/target_actors.h"
@@ -51,9 +52,10 @@ public:
   void show(const Frame& frame, const Ranges& ranges);
 
   vtkRenderer& renderer() { return *renderer_; }
+  double metres_per_pixel() const { return metres_per_pixel_; }
 
 private:
-  void place_camera(const Bounds& bounds, double aspect);
+  void place_camera(const Bounds& bounds, double aspect, double height);
   void show_bird(vtkUnstructuredGrid& bird, const std::array<double, 2>& range);
 
   SnapshotOptions options_;
@@ -61,10 +63,15 @@ private:
   vtkNew<vtkPointGaussianMapper> bird_mapper_;
   vtkNew<vtkActor> bird_;
   TargetActors target_;
+  double metres_per_pixel_ = 0;
 };
 
-//! Whether a picture with these options leaves out what has y < 0.
+//! Whether a picture with these options leaves out what lies before the plane.
 bool is_cut(const SnapshotOptions& options);
+//! What a picture that is cut keeps: the side away from the camera.
+std::optional<HalfSpace> kept(const SnapshotOptions& options);
+//! "cut at y = 0", "cut at x = -12 mm".
+std::string cut_text(const CutPlane& plane);
 
 //! Unit vectors of the camera: where it looks, and what is up in the picture.
 struct CameraAxes
@@ -72,5 +79,8 @@ struct CameraAxes
   std::array<double, 3> direction, up;
 };
 CameraAxes camera_axes(View view);
+
+//! Of the picture of a box seen from there.
+double width_over_height(const Bounds& bounds, View view);
 
 } // namespace birdstrike

@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "vtkio/page.h"
+#include "vtkio/scale_bar.h"
 #include "vtkio/slab.h"
 #include "vtkio/text_style.h"
 #include "vtkio/visible_shell.h"
@@ -24,12 +25,15 @@ namespace birdstrike {
 
 View view_from_name(const std::string& name)
 {
-  static const std::pair<const char*, View> views[] = {
-      {"side", View::side}, {"front", View::front}, {"top", View::top}, {"isometric", View::isometric}};
+  static const std::pair<const char*, View> views[] = {{"side", View::side},
+                                                       {"front", View::front},
+                                                       {"top", View::top},
+                                                       {"isometric", View::isometric},
+                                                       {"behind", View::behind}};
   for (const auto& [known, view] : views)
     if (name == known)
       return view;
-  throw InputError("there is no view \"" + name + "\"; there are side, front, top, isometric");
+  throw InputError("there is no view \"" + name + "\"; there are side, front, top, isometric, behind");
 }
 
 namespace {
@@ -69,7 +73,8 @@ struct Snapshot::State
         scene(chosen, bounds, canvas.width, canvas.height)
   {
     page.place(scene, canvas);
-    page.add_axes(options.view, canvas, 5.0 * font);
+    if (options.axes)
+      page.add_axes(options.view, canvas, 5.0 * font);
   }
   double legend_width() const { return options.legend ? 8.5 * font : 0; }
 
@@ -87,15 +92,23 @@ void Snapshot::State::add_texts(const Frame& frame, const Ranges& ranges)
   const Colour ink = readable_on(options.background);
   const double top = options.height - 1.0 * font;
   page.ground().AddActor2D(make_text(options.title, 0.6 * font, top, font, Anchor::left, ink));
-  page.ground().AddActor2D(make_text(fmt::format("t = {:.3f} ms", 1e3 * frame.time),
-                                     options.width - 0.6 * font, top, font, Anchor::right, ink));
+  if (options.time_stamp)
+    page.ground().AddActor2D(make_text(fmt::format("t = {:.3f} ms", 1e3 * frame.time),
+                                       options.width - 0.6 * font, top, font, Anchor::right, ink));
+  if (options.scale_bar) {
+    const double width = legend_width() > 0 ? legend_width() - 1.6 * font : 0.16 * options.width;
+    add_scale_bar(page.ground(), {options.width - 0.8 * font - width, 0.8 * font, width, 1.5 * font},
+                  scene.metres_per_pixel(), font, ink);
+  }
   if (!options.legend)
     return;
   if (is_cut(options))
-    page.ground().AddActor2D(make_text("cut at y = 0", canvas.width + 0.4 * font, 0.06 * options.height,
-                                       font * 8 / 10, Anchor::left, ink));
-  Rectangle place{canvas.width + 0.4 * font, 0.12 * options.height, legend_width() - 0.8 * font,
-                  0.76 * options.height};
+    page.ground().AddActor2D(make_text(cut_text(options.plane), canvas.width + 0.4 * font,
+                                       (options.scale_bar ? 0.115 : 0.06) * options.height, font * 8 / 10,
+                                       Anchor::left, ink));
+  const double foot = options.scale_bar ? 0.16 : 0.12; // of the height, below the legend
+  Rectangle place{canvas.width + 0.4 * font, foot * options.height, legend_width() - 0.8 * font,
+                  (0.88 - foot) * options.height};
   const bool of_target = frame.target && !options.target_field.empty();
   if (of_target && frame.bird) { // one above the other, the target's below
     place.height = 0.47 * place.height;
@@ -125,6 +138,12 @@ vtkSmartPointer<vtkImageData> Snapshot::draw(const Frame& frame)
   state_->page.clear_ground();
   state_->add_texts(frame, ranges);
   return state_->page.draw();
+}
+
+std::array<double, 4> Snapshot::canvas() const
+{
+  const Rectangle& c = state_->canvas;
+  return {c.x, c.y, c.width, c.height};
 }
 
 void Snapshot::write(const Frame& frame, const std::filesystem::path& png) { write_png(*draw(frame), png); }

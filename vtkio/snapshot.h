@@ -2,6 +2,7 @@
 // Pictures of a frame: particles as lit spheres in front of the plate.
 #pragma once
 
+#include "vtkio/cut_plane.h"
 #include "vtkio/series_reader.h"
 
 #include <array>
@@ -15,33 +16,43 @@ class vtkImageData;
 namespace birdstrike {
 
 //! Where the camera stands. Side: looks along +y, flight to the right along +x, +z up.
-//! Front: looks along +x, as the bird sees the plate. Top: looks along -z, flight to the right.
+//! Front: looks along +x, as the bird sees the plate. Top: looks along -z, flight to the right. Isometric: from above,
+//! beside and behind the bird. Behind: from above, beside and behind the target, which the bird then does not hide.
 enum class View
 {
   side,
   front,
   top,
-  isometric
+  isometric,
+  behind
 };
 
-//! "side", "front", "top", "isometric". \throw InputError listing these for another name
+//! "side", "front", "top", "isometric", "behind". \throw InputError listing these for another name
 View view_from_name(const std::string& name);
 
 struct SnapshotOptions
 {
-  std::string colour_by = "part"; //!< "part", or a point array of the bird ("pressure", "velocity", ...)
+  std::string colour_by =
+      "part"; //!< "part", or a point array of the bird ("pressure", "velocity", "velocity_x" ...)
   std::optional<std::array<double, 2>>
       range; //!< of that array, in its SI unit; the frame's own range otherwise
   View view = View::side;
-  std::optional<bool> cut;  //!< show only what has y >= 0, of bird and target, so that inner parts and a dent
-                            //!< are seen; otherwise: by part, from the side, yes; else no
+  std::optional<bool>
+      cut;        //!< show only what lies behind the plane, of bird and target, so that inner parts and
+                  //!< a dent are seen; otherwise: by part, from the side, yes; else no
+  CutPlane plane; //!< of the cut; y = 0 if nothing is said
   std::string target_field; //!< point or cell array of the target to colour it by ("displacement",
                             //!< "plastic_strain", ...; vectors by their length); empty: grey
   std::optional<std::array<double, 2>>
-      target_range;               //!< of that array, in its SI unit; the frame's own range otherwise
-  std::string title;              //!< top left; empty: none
-  bool legend = true;             //!< names of the parts, or the scalar bar
-  int width = 1280, height = 720; //!< [pixel]
+      target_range;          //!< of that array, in its SI unit; the frame's own range otherwise
+  double target_opacity = 1; //!< 0 ... 1, that what is behind the target is seen
+  bool target_edges = true;  //!< lines between the elements
+  std::string title;         //!< top left; empty: none
+  bool legend = true;        //!< names of the parts, or the scalar bar
+  bool time_stamp = true;
+  bool axes = true;                                   //!< arrows that say where x, y and z point
+  bool scale_bar = false;                             //!< a round length, at the lower right
+  int width = 1280, height = 720;                     //!< [pixel]
   std::array<double, 3> background = {1.0, 1.0, 1.0}; //!< red, green, blue, each 0 ... 1
 };
 
@@ -68,6 +79,9 @@ public:
 
   //! \throw InputError if the frame lacks an array to colour by (the message lists those that it has)
   vtkSmartPointer<vtkImageData> draw(const Frame& frame);
+
+  //! The part of the picture that the scene is drawn on: x, y, width, height from the lower left corner [pixel].
+  std::array<double, 4> canvas() const;
 
   //! Draw and write a PNG. \throw InputError as draw, OutputError as write_png
   void write(const Frame& frame, const std::filesystem::path& png);

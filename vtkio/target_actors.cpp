@@ -3,9 +3,9 @@
 #include "vtkio/target_actors.h"
 
 #include "core/error.h"
-#include "vtkio/array_range.h"
 #include "vtkio/palette.h"
 #include "vtkio/scene.h"
+#include "vtkio/shown_array.h"
 #include "vtkio/slab.h"
 #include "vtkio/visible_shell.h"
 
@@ -27,12 +27,12 @@
 namespace birdstrike {
 namespace {
 
-vtkDataArray& find_target_array(vtkUnstructuredGrid& target, const std::string& name)
+ShownArray find_target_array(vtkUnstructuredGrid& target, const std::string& name)
 {
   for (vtkDataSetAttributes* data : {static_cast<vtkDataSetAttributes*>(target.GetPointData()),
                                      static_cast<vtkDataSetAttributes*>(target.GetCellData())})
-    if (vtkDataArray* array = data->GetArray(name.c_str()))
-      return *array;
+    if (const auto shown = find_shown_array(*data, name))
+      return *shown;
   const std::string of_points = names_of_arrays(*target.GetPointData()),
                     of_cells = names_of_arrays(*target.GetCellData());
   throw InputError("cannot colour the target by \"" + name + "\": it has no such array; it has " + of_points +
@@ -66,11 +66,11 @@ std::array<double, 2> range_of_target(vtkUnstructuredGrid& target, const std::st
   return finite_range(find_target_array(*visible_shell(target, false), array));
 }
 
-TargetActors::TargetActors(const SnapshotOptions& options, bool cut, vtkRenderer& renderer)
+TargetActors::TargetActors(const SnapshotOptions& options, vtkRenderer& renderer)
     : field_(options.target_field),
       direction_(camera_axes(options.view).direction),
       along_axis_(options.view == View::side || options.view == View::top),
-      cut_(cut)
+      keep_(kept(options))
 {
   for (Surface* surface : {&with_edges_, &edge_on_, &rim_}) {
     surface->mapper->ScalarVisibilityOff();
@@ -83,9 +83,10 @@ TargetActors::TargetActors(const SnapshotOptions& options, bool cut, vtkRenderer
     look.SetDiffuse(field_.empty() && !along_axis_ ? 0.65 : 0.4);
     look.SetLineWidth(1);
     look.SetInterpolationToFlat();
+    look.SetOpacity(options.target_opacity);
     renderer.AddActor(surface->actor);
   }
-  with_edges_.actor->GetProperty()->SetEdgeVisibility(true);
+  with_edges_.actor->GetProperty()->SetEdgeVisibility(options.target_edges);
   if (along_axis_) { // of a flat target nothing else is seen; of one that is cut open, the section
     rim_.actor->GetProperty()->SetColor(0.36, 0.39, 0.43);
     rim_.actor->GetProperty()->SetAmbient(0.35);
@@ -101,7 +102,7 @@ void TargetActors::show(vtkUnstructuredGrid* target, const std::array<double, 2>
     surface->actor->SetVisibility(target != nullptr);
   if (!target)
     return;
-  const auto shell = visible_shell(*target, cut_);
+  const auto shell = visible_shell(*target, keep_);
   const auto slab = make_slab(*shell, thickness_of(*target));
   vtkDataArray& rim = *slab->GetCellData()->GetArray("rim");
   const auto is_rim = [&](vtkIdType face) { return rim.GetComponent(face, 0) == 1; };
@@ -123,13 +124,17 @@ void TargetActors::show(vtkUnstructuredGrid* target, const std::array<double, 2>
 
 void TargetActors::colour_by_field(vtkUnstructuredGrid& shell, const std::array<double, 2>& range)
 {
-  find_target_array(shell, field_); // says it if it is not there
-  const bool of_points = shell.GetPointData()->GetArray(field_.c_str()) != nullptr;
+  const ShownArray shown = find_target_array(shell, field_);
+  const bool of_points = shell.GetPointData()->GetArray(shown.array->GetName()) != nullptr;
   vtkSmartPointer<vtkLookupTable> map = make_colour_map(range[0], range[1]);
   map->SetVectorModeToMagnitude();
+  if (shown.component >= 0) {
+    map->SetVectorModeToComponent();
+    map->SetVectorComponent(shown.component);
+  }
   map->SetNanColor(0.74, 0.77, 0.80, 1);
   for (Surface* surface : {&with_edges_, &edge_on_, &rim_}) {
-    if (surface == &rim_ && along_axis_ && cut_)
+    if (surface == &rim_ && along_axis_ && keep_)
       continue; // the section stays dark, or the dent would not be seen against what lies behind it
     surface->mapper->SetLookupTable(map);
     surface->mapper->UseLookupTableScalarRangeOn();
@@ -139,7 +144,7 @@ void TargetActors::colour_by_field(vtkUnstructuredGrid& shell, const std::array<
       surface->mapper->SetScalarModeToUsePointFieldData();
     else
       surface->mapper->SetScalarModeToUseCellFieldData();
-    surface->mapper->SelectColorArray(field_.c_str());
+    surface->mapper->SelectColorArray(shown.array->GetName());
   }
 }
 

@@ -2,6 +2,7 @@
 // The target in a picture: its faces with element edges, in grey or in the colours of a field, and its rim.
 #pragma once
 
+#include "vtkio/cut_plane.h"
 #include "vtkio/snapshot.h"
 
 #include <vtkNew.h>
@@ -15,8 +16,7 @@ namespace birdstrike {
 class TargetActors
 {
 public:
-  //! \param cut  show only y >= 0
-  TargetActors(const SnapshotOptions& options, bool cut, vtkRenderer& renderer);
+  TargetActors(const SnapshotOptions& options, vtkRenderer& renderer);
   ~TargetActors();
 
   //! \param target  null to show none
@@ -34,12 +34,13 @@ private:
 
   std::string field_;
   std::array<double, 3> direction_; // of the camera
-  bool along_axis_, cut_;
+  bool along_axis_;
+  std::optional<HalfSpace> keep_;
   Surface with_edges_, edge_on_, rim_;
 };
 
-//! Lowest and highest finite value (length, for vectors) of a point or cell array on the elements that are still there,
-//! in SI. \throw InputError if the target lacks the array; the message lists those that it has
+//! Lowest and highest finite value (length, for vectors) of a point or cell array on the
+//! elements that are still there, in SI. \throw InputError if the target lacks the array; the message lists those that it has
 std::array<double, 2> range_of_target(vtkUnstructuredGrid& target, const std::string& array);
 
 } // namespace birdstrike

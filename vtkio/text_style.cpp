@@ -6,6 +6,7 @@
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace birdstrike {
@@ -63,6 +64,12 @@ vtkSmartPointer<vtkTextActor> make_text(const std::string& text, double x, doubl
   actor->GetPositionCoordinate()->SetCoordinateSystemToDisplay();
   actor->SetPosition(x, y);
   return actor;
+}
+
+int fitting_font(int font, double width, std::size_t letters)
+{
+  constexpr double wide = 0.62; // a letter over its height
+  return std::max(6, std::min(font, static_cast<int>(width / (wide * static_cast<double>(letters)))));
 }
 
 std::array<double, 3> readable_on(const std::array<double, 3>& background)

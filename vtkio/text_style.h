@@ -28,6 +28,9 @@ enum class Anchor
 vtkSmartPointer<vtkTextActor> make_text(const std::string& text, double x, double y, int pixels,
                                         Anchor anchor, const std::array<double, 3>& colour);
 
+//! A font no larger than asked for [pixel] with which so many letters fit into a width [pixel].
+int fitting_font(int font, double width, std::size_t letters);
+
 //! Black or white, whichever can be read on this background.
 std::array<double, 3> readable_on(const std::array<double, 3>& background);
 

@@ -19,11 +19,12 @@
 namespace birdstrike {
 namespace {
 
-//! Collects points of a shell, its own and new ones where the plane y = 0 crosses an edge.
+//! Collects points of a shell, its own and new ones where the plane crosses an edge.
 class Corners
 {
 public:
-  Corners(vtkUnstructuredGrid& from, vtkUnstructuredGrid& to) : from_(from), to_(to)
+  Corners(vtkUnstructuredGrid& from, vtkUnstructuredGrid& to, const HalfSpace& keep)
+      : from_(from), to_(to), keep_(keep)
   {
     points_->SetDataTypeToDouble();
     to_.SetPoints(points_);
@@ -32,11 +33,12 @@ public:
     snap_ = 1e-9 * from.GetLength();
   }
 
-  double y(vtkIdType point) const
+  double depth(vtkIdType point) const
   {
     std::array<double, 3> p{};
     from_.GetPoint(point, p.data());
-    return std::abs(p[1]) < snap_ ? 0.0 : p[1];
+    const double depth = keep_.depth(p);
+    return std::abs(depth) < snap_ ? 0.0 : depth;
   }
 
   vtkIdType point(vtkIdType old)
@@ -55,11 +57,14 @@ public:
       std::swap(a, b);
     const auto [place, added] = known_.try_emplace({a, b}, points_->GetNumberOfPoints());
     if (added) {
-      const double t = y(a) / (y(a) - y(b));
+      const double t = depth(a) / (depth(a) - depth(b));
       std::array<double, 3> p{}, q{};
       from_.GetPoint(a, p.data());
       from_.GetPoint(b, q.data());
-      points_->InsertNextPoint(p[0] + t * (q[0] - p[0]), 0, p[2] + t * (q[2] - p[2]));
+      for (std::size_t k = 0; k < 3; ++k)
+        p[k] += t * (q[k] - p[k]);
+      p[static_cast<std::size_t>(keep_.plane.axis)] = keep_.plane.at;
+      points_->InsertNextPoint(p.data());
       to_.GetPointData()->InterpolateEdge(from_.GetPointData(), place->second, a, b, t);
     }
     return place->second;
@@ -67,6 +72,7 @@ public:
 
 private:
   vtkUnstructuredGrid &from_, &to_;
+  HalfSpace keep_;
   vtkNew<vtkPoints> points_;
   std::map<std::pair<vtkIdType, vtkIdType>, vtkIdType>
       known_; // new rows, of a point {i, i} or an edge {i, j}
@@ -77,6 +83,12 @@ private:
 
 vtkSmartPointer<vtkUnstructuredGrid> visible_shell(vtkUnstructuredGrid& shell, bool cut)
 {
+  return visible_shell(shell, cut ? std::optional(HalfSpace{}) : std::nullopt);
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> visible_shell(vtkUnstructuredGrid& shell,
+                                                   const std::optional<HalfSpace>& keep)
+{
   vtkDataArray* eroded = shell.GetCellData()->GetArray("eroded");
   auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
       shell.GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
@@ -84,7 +96,7 @@ vtkSmartPointer<vtkUnstructuredGrid> visible_shell(vtkUnstructuredGrid& shell, b
   visible->Allocate(shell.GetNumberOfCells());
   visible->SetFieldData(shell.GetFieldData());
   visible->GetCellData()->CopyAllocate(shell.GetCellData(), shell.GetNumberOfCells());
-  Corners corners(shell, *visible);
+  Corners corners(shell, *visible, keep.value_or(HalfSpace{}));
 
   vtkNew<vtkIdList> old, now;
   for (vtkIdType cell = 0; cell < shell.GetNumberOfCells(); ++cell) {
@@ -98,9 +110,9 @@ vtkSmartPointer<vtkUnstructuredGrid> visible_shell(vtkUnstructuredGrid& shell, b
       const vtkIdType a = old->GetId(k), b = old->GetId((k + 1) % count);
       if (a == b) // a triangle written as a quadrilateral
         continue;
-      if (!cut || corners.y(a) >= 0)
+      if (!keep || corners.depth(a) >= 0)
         now->InsertNextId(corners.point(a));
-      if (cut && corners.y(a) * corners.y(b) < 0)
+      if (keep && corners.depth(a) * corners.depth(b) < 0)
         now->InsertNextId(corners.crossing(a, b));
     }
     if (now->GetNumberOfIds() < 3)
