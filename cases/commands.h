@@ -14,6 +14,7 @@ void add_study_command(CLI::App& program);
 void add_bird_command(CLI::App& program);
 void add_histories_command(CLI::App& program);
 void add_render_command(CLI::App& program);
+void add_report_command(CLI::App& program);
 void add_cases_command(CLI::App& program);
 void add_theory_command(CLI::App& program);
 

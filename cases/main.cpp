@@ -26,6 +26,7 @@ int main(int argc, char** argv)
   add_bird_command(program);
   add_histories_command(program);
   add_render_command(program);
+  add_report_command(program);
   add_cases_command(program);
   add_theory_command(program);
 

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers of a summary as a report shows them.
+#include "cases/report_numbers.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace birdstrike {
+
+const Json& at_path(const Json& json, std::initializer_list<std::string_view> path)
+{
+  static const Json nothing;
+  const Json* place = &json;
+  for (const std::string_view key : path) {
+    if (!place->is_object())
+      return nothing;
+    const auto found = place->find(std::string(key));
+    if (found == place->end())
+      return nothing;
+    place = &*found;
+  }
+  return *place;
+}
+
+std::optional<double> number_at(const Json& json, std::initializer_list<std::string_view> path)
+{
+  const Json& value = at_path(json, path);
+  if (!value.is_number() || !std::isfinite(value.get<double>()))
+    return {};
+  return value.get<double>();
+}
+
+std::string short_number(double value)
+{
+  const double size = std::abs(value);
+  if (size == 0)
+    return "0";
+  if (size < 1e-3 || size >= 99999.5)
+    return fmt::format("{:.3e}", value);
+  const int decimals = std::max(0, 3 - static_cast<int>(std::floor(std::log10(size))));
+  std::string text = fmt::format("{:.{}f}", value, decimals);
+  if (text.find('.') != std::string::npos) {
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.ends_with('.'))
+      text.pop_back();
+  }
+  return text;
+}
+
+Json quantity(std::optional<double> si, double factor, std::string_view unit)
+{
+  if (!si)
+    return {{"text", "–"}};
+  Json json{{"si", fmt::format("{}", *si)}, {"text", short_number(factor * *si)}};
+  if (!unit.empty())
+    json["unit"] = std::string(unit);
+  return json;
+}
+
+Json ratio(std::optional<double> part, std::optional<double> whole)
+{
+  if (!part || !whole || *whole == 0)
+    return {{"text", "–"}};
+  return quantity(*part / *whole, 1, "");
+}
+
+} // namespace birdstrike
