@@ -49,11 +49,9 @@ void add_report_command(CLI::App& program)
       "report", "A run as one HTML file: balances, tables, curves, pictures and a view that can be turned");
   command->add_option("DIR", options->folder, "Folder of a run")->required();
   command->add_option("-o,--output", options->output, "The page (default: report.html in that folder)");
-  command->add_option("--frames", options->view.frames, "States in the view, at most")
-      ->capture_default_str();
+  command->add_option("--frames", options->view.frames, "States in the view, at most")->capture_default_str();
   command
-      ->add_option("--particles", options->view.particles,
-                   "Particles in the view, at most; evenly thinned")
+      ->add_option("--particles", options->view.particles, "Particles in the view, at most; evenly thinned")
       ->capture_default_str();
   command->add_flag("--quiet", options->quiet, "Say nothing on the screen but warnings and errors");
   command->footer("The page needs no network and no other file.");

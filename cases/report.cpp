@@ -62,8 +62,9 @@ Json images(const std::vector<fs::path>& files, std::vector<std::string>& gaps)
                                  file.filename().string()));
       continue;
     }
-    list.push_back({{"caption", caption(file)},
-                    {"data", to_base64({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()})}});
+    list.push_back(
+        {{"caption", caption(file)},
+         {"data", to_base64({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()})}});
   }
   return list;
 }
@@ -130,8 +131,9 @@ ReportResult write_report(const fs::path& folder, const fs::path& file, const Vi
   const fs::path bundle = find_share_file("report/view.js");
   const std::string script = bundle.empty() ? std::string() : read_bytes(bundle);
   if (script.empty())
-    result.gaps.emplace_back("The view that can be turned is not in this page: the program was built without it. Install node "
-                             "and npm (Debian: nodejs npm), configure and build again, and write the report again.");
+    result.gaps.emplace_back(
+        "The view that can be turned is not in this page: the program was built without it. Install node "
+        "and npm (Debian: nodejs npm), configure and build again, and write the report again.");
   result.turning = !script.empty() && !result.view.data.empty();
   add_view(page, result.view, script);
   result.view.data.clear();

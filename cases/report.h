@@ -13,10 +13,10 @@ namespace birdstrike {
 
 struct ReportResult
 {
-  std::uintmax_t bytes = 0; //!< of the page
-  ReportView view;          //!< without its data
-  bool complete = false;    //!< the run was
-  bool turning = false;     //!< the page has the view in three dimensions
+  std::uintmax_t bytes = 0;      //!< of the page
+  ReportView view;               //!< without its data
+  bool complete = false;         //!< the run was
+  bool turning = false;          //!< the page has the view in three dimensions
   std::vector<std::string> gaps; //!< what the page lacks, and how to get it; a sentence each
 };
 

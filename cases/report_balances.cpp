@@ -22,17 +22,16 @@ Json row(const std::string& name, Json value, Verdict verdict, const std::string
   static constexpr std::array names{"good", "fair", "bad", "open"};
   static constexpr std::array marks{"fine", "look at it", "not fine", "no judgement"};
   const auto k = static_cast<std::size_t>(verdict);
-  return {{"name", name},
-          {"value", std::move(value)},
-          {"verdict", names[k]},
-          {"mark", marks[k]},
-          {"why", why}};
+  return {
+      {"name", name}, {"value", std::move(value)}, {"verdict", names[k]}, {"mark", marks[k]}, {"why", why}};
 }
 
 //! good up to the first bound, fair up to the second one
 Verdict by_size(double value, double fine, double tolerable)
 {
-  return std::abs(value) <= fine ? Verdict::good : std::abs(value) <= tolerable ? Verdict::fair : Verdict::bad;
+  return std::abs(value) <= fine        ? Verdict::good
+         : std::abs(value) <= tolerable ? Verdict::fair
+                                        : Verdict::bad;
 }
 
 std::string entry(const ReportFolder& run, const std::string& key)
@@ -65,17 +64,19 @@ void add_mass(Json& rows, const ReportFolder& run)
   if (factor)
     why += fmt::format(" The densities of the parts are {} times those of their materials, to meet it{}",
                        short_number(*factor),
-                       std::abs(off) <= 0.02 ? "." : ": more than 2 % off; the mass and the volume of the bird "
-                                                     "do not go together.");
+                       std::abs(off) <= 0.02 ? "."
+                                             : ": more than 2 % off; the mass and the volume of the bird "
+                                               "do not go together.");
   rows.push_back(row("Mass of the bird", quantity(mass, 1, "kg"), by_size(off, 0.02, 0.1), why));
 }
 
 void add_momentum(Json& rows, const Json& summary)
 {
   if (const auto error = number_at(summary, {"impulse_error"}))
-    rows.push_back(row("Momentum", quantity(error, 100, "%"), by_size(*error, 1e-6, 1e-3),
-                       "Impulse on the target against the momentum that the bird has lost, over its momentum. Forces "
-                       "between particles are pairs, so that only rounding may be left."));
+    rows.push_back(
+        row("Momentum", quantity(error, 100, "%"), by_size(*error, 1e-6, 1e-3),
+            "Impulse on the target against the momentum that the bird has lost, over its momentum. Forces "
+            "between particles are pairs, so that only rounding may be left."));
 }
 
 void add_energy(Json& rows, const ReportFolder& run)
@@ -113,11 +114,12 @@ void add_impulse(Json& rows, const ReportFolder& run)
     why += eroded && *eroded > 0 ? "The target broke, and what flies through it keeps its momentum."
                                  : "The target gives way, which the ratio of a rigid one does not tell of.";
   else if (*share < 0.95 && flies_on)
-    why += fmt::format("The bird still has {:.0f} % of its momentum: the impact is not over at the end of the run, or part of "
+    why += fmt::format("The bird still has {:.0f} % of its momentum: the impact is not over at the end of "
+                       "the run, or part of "
                        "the bird misses the target. A later run.end shows the whole of it.",
                        100 * *left / *momentum);
   else {
-    verdict = *share >= 0.95 && *share <= 1.1 ? Verdict::good
+    verdict = *share >= 0.95 && *share <= 1.1   ? Verdict::good
               : *share >= 0.85 && *share <= 1.2 ? Verdict::fair
                                                 : Verdict::bad;
     why += "1 if the bird comes to rest across a rigid target, up to 1.1 as flesh springs back a little.";
@@ -128,11 +130,13 @@ void add_impulse(Json& rows, const ReportFolder& run)
 void add_target(Json& rows, const Json& summary)
 {
   if (const auto share = number_at(summary, {"target", "hourglass_over_internal"}))
-    rows.push_back(row("Hourglass energy", quantity(share, 100, "%"), by_size(*share, 0.05, 0.1),
-                       "Over the internal energy of the target. Up to 5 % its elements bend as the material does and not in "
-                       "patterns of the mesh."));
+    rows.push_back(row(
+        "Hourglass energy", quantity(share, 100, "%"), by_size(*share, 0.05, 0.1),
+        "Over the internal energy of the target. Up to 5 % its elements bend as the material does and not in "
+        "patterns of the mesh."));
   if (const auto leaked = number_at(summary, {"target", "leaked_particles"}))
-    rows.push_back(row("Leaked particles", quantity(leaked, 1, ""), *leaked == 0 ? Verdict::good : Verdict::bad,
+    rows.push_back(row("Leaked particles", quantity(leaked, 1, ""),
+                       *leaked == 0 ? Verdict::good : Verdict::bad,
                        *leaked == 0 ? "None has passed the target other than through a hole or beside it."
                                     : "They have passed the unbroken target, and its load lacks theirs."));
 }

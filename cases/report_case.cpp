@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// case.toml in rows for the template, with the rule that the bird's mass comes from.
+// case.toml in rows for the template, and the rules that ask for such a bird.
 #include "cases/certification.h"
 #include "cases/keys.h"
 #include "cases/report_tables.h"
+#include "core/error.h"
 
-#include <exception>
+#include <fmt/format.h>
+
+#include <cmath>
 
 namespace birdstrike {
 namespace {
@@ -20,6 +23,26 @@ std::string meaning(const std::vector<std::string>& path)
 {
   const Key* key = find_key(path);
   return key ? std::string(key->text) : "";
+}
+
+//! The rules that ask for a bird of this mass, to half a per cent.
+Json rules_of(double mass)
+{
+  constexpr double near = 0.005;
+  Json rules = Json::array();
+  try {
+    for (const CertificationRule& rule : certification_rules())
+      if (std::abs(rule.mass - mass) <= near * mass)
+        rules.push_back(
+            {{"rule", fmt::format("{}", fmt::join(rule.names, ", "))},
+             {"mass", rule.mass_text},
+             {"speed", rule.speed},
+             {"applies", rule.applies},
+             {"read", rule.confidence == "S" ? rule.source + " (secondary source)" : rule.source}});
+  } catch (const InputError&) {
+    // A program without its table of rules still writes reports.
+  }
+  return rules;
 }
 
 } // namespace
@@ -39,17 +62,14 @@ void add_case_table(Json& page, const ReportFolder& run)
       sections.push_back({{"name", section}, {"keys", Json::array()}});
     sections.back()["keys"].push_back(
         {{"key", join(entry.path)}, {"value", text_of(entry)}, {"text", meaning(entry.path)}});
-    if (join(entry.path) == "bird.mass")
-      try {
-        if (certification_mass(text_of(entry)))
-          page["rule"] = text_of(entry);
-      } catch (const std::exception&) {
-        // Without its rules the program still knows the mass.
-      }
   }
   if (!sections.empty()) {
     page["has_case"] = true;
     page["case_sections"] = std::move(sections);
+  }
+  if (const auto mass = number_at(run.summary, {"bird", "mass"})) {
+    page["rules"] = rules_of(*mass);
+    page["has_rules"] = !page["rules"].empty();
   }
 }
 

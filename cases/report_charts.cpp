@@ -77,18 +77,21 @@ private:
 void add_pressure(Charts& charts)
 {
   const std::string prefix = "max_pressure_";
-  std::vector<ChartLine> lines =
-      charts.lines(1e-6, [&](const std::string& name) { return name.starts_with(prefix); }, prefix.size());
-  std::size_t part = 0;
-  for (ChartLine& line : lines) {
-    const bool all = line.name == "all";
-    line.colour = all ? "" : hex(part_colour(line.name, part++));
-    if (all)
-      line.name = "whole bird";
-  }
-  if (lines.size() == 2) // of one part, which is the whole
-    lines.erase(lines.begin());
+  std::vector<ChartLine> lines = charts.lines(
+      1e-6, [&](const std::string& name) { return name.starts_with(prefix); }, prefix.size());
+  std::erase_if(lines, [](const ChartLine& line) { return line.name == "all"; }); // the largest of the others
+  for (std::size_t part = 0; part < lines.size(); ++part)
+    lines[part].colour = hex(part_colour(lines[part].name, part));
   charts.add("Largest pressure in the bird", "MPa", lines);
+}
+
+std::vector<ChartLine> along_axes(const Charts& charts, const std::string& prefix, double factor)
+{
+  std::vector<ChartLine> lines = charts.lines(
+      factor, [&](const std::string& name) { return name.starts_with(prefix); }, prefix.size());
+  for (ChartLine& line : lines)
+    line.name = "along " + line.name;
+  return lines;
 }
 
 //! A straight line of theory over the time of the others.
@@ -130,9 +133,8 @@ Json report_charts(const ReportFolder& run, std::vector<std::string>& replaced)
     return [prefix](const std::string& name) { return name.starts_with(prefix); };
   };
   add_pressure(charts);
-  charts.add("Contact force on the target", "kN",
-             charts.lines(1e-3, starts("contact_force_"), std::string("contact_force_").size()));
-  charts.add("Impulse on the target", "N s", charts.lines(1, starts("impulse_"), std::string("impulse_").size()));
+  charts.add("Contact force on the target", "kN", along_axes(charts, "contact_force_", 1e-3));
+  charts.add("Impulse on the target", "N s", along_axes(charts, "impulse_", 1));
   charts.add("Deflection of the target", "mm", charts.lines(1e3, [](const std::string& name) {
     return name == "max_deflection" || name.starts_with("deflection_");
   }));

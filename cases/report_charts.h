@@ -12,9 +12,9 @@ namespace birdstrike {
 
 struct ChartLine
 {
-  std::string name, colour;   //!< colour "#0072b2"; empty for that of text
-  bool dashed = false;        //!< theory
-  std::vector<double> x, y;   //!< of equal length, in the units of the chart
+  std::string name, colour; //!< colour "#0072b2"; empty for that of text
+  bool dashed = false;      //!< theory
+  std::vector<double> x, y; //!< of equal length, in the units of the chart
 };
 
 //! A chart for the template: title, unit, width, height, frame (left, top, right, bottom), low, high of x and y, ticks and

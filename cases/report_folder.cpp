@@ -28,12 +28,12 @@ void require_run_folder(const fs::path& folder)
 {
   std::error_code ignored;
   require(is_there(folder), folder.string() + ": no such folder; give the folder that birdstrike run wrote");
-  require(fs::is_directory(folder, ignored),
-          folder.string() + ": this is a file; give the folder that birdstrike run wrote" +
-              (is_there(folder.parent_path() / "run.pvd")
-                   ? ", here " +
-                         (folder.has_parent_path() ? folder.parent_path().string() : std::string("\".\""))
-                   : ""));
+  require(
+      fs::is_directory(folder, ignored),
+      folder.string() + ": this is a file; give the folder that birdstrike run wrote" +
+          (is_there(folder.parent_path() / "run.pvd")
+               ? ", here " + (folder.has_parent_path() ? folder.parent_path().string() : std::string("\".\""))
+               : ""));
   const bool is_run = is_there(folder / "summary.json") || is_there(folder / "run.pvd") ||
                       is_there(folder / "histories.csv") || is_there(folder / "case.toml");
   if (is_run)
@@ -56,8 +56,9 @@ void read_summary(ReportFolder& run)
   run.summary = nlohmann::ordered_json::object();
   const fs::path file = run.folder / "summary.json";
   if (!is_there(file)) {
-    run.gaps.emplace_back("summary.json is missing: the run was stopped, or has not ended yet. What follows is from the "
-                          "histories and frames so far.");
+    run.gaps.emplace_back(
+        "summary.json is missing: the run was stopped, or has not ended yet. What follows is from the "
+        "histories and frames so far.");
     return;
   }
   try {
@@ -68,8 +69,9 @@ void read_summary(ReportFolder& run)
     run.summary = std::move(read);
     run.complete = true;
   } catch (const std::exception&) {
-    run.gaps.emplace_back("summary.json is damaged: it is not the JSON object that a run writes. Run the case "
-                          "again for the tables that are made from it.");
+    run.gaps.emplace_back(
+        "summary.json is damaged: it is not the JSON object that a run writes. Run the case "
+        "again for the tables that are made from it.");
   }
 }
 
@@ -106,7 +108,8 @@ void read_log(ReportFolder& run)
 void read_tables(ReportFolder& run)
 {
   for (const auto& [name, table, needed] : {std::tuple{"histories.csv", &run.history, true},
-                                            std::tuple{"transducers.csv", &run.transducers, false}}) {
+                                            std::tuple{"transducers.csv", &run.transducers, false}})
+  {
     if (!needed && !is_there(run.folder / name))
       continue;
     try {
@@ -138,6 +141,8 @@ void find_figures(ReportFolder& run)
     const bool is_picture = frames || std::regex_search(name, picture);
     (is_picture ? run.pictures : run.plots).push_back(file);
   }
+  std::stable_partition(run.pictures.begin(), run.pictures.end(),
+                        [](const fs::path& file) { return file.stem() == "overview"; });
   if (files.empty())
     run.gaps.emplace_back("figures/ holds no pictures; birdstrike render makes some from run.pvd.");
 }

@@ -16,14 +16,14 @@ namespace birdstrike {
 struct ReportFolder
 {
   std::filesystem::path folder;
-  bool complete = false;               //!< there is a sound summary.json
-  nlohmann::ordered_json summary;      //!< an empty object without one
-  std::vector<Entry> case_entries;     //!< of case.toml
-  History history, transducers;        //!< of histories.csv and transducers.csv; no columns if missing
-  std::string date;                    //!< of the run, "2026-11-22 17:09", by run.log; empty if not known
-  std::vector<std::string> warnings;   //!< of run.log
+  bool complete = false;             //!< there is a sound summary.json
+  nlohmann::ordered_json summary;    //!< an empty object without one
+  std::vector<Entry> case_entries;   //!< of case.toml
+  History history, transducers;      //!< of histories.csv and transducers.csv; no columns if missing
+  std::string date;                  //!< of the run, "2026-11-22 17:09", by run.log; empty if not known
+  std::vector<std::string> warnings; //!< of run.log
   std::vector<std::filesystem::path> plots, pictures; //!< of figures/, by name
-  std::vector<std::string> gaps;       //!< what is missing or damaged, a sentence each
+  std::vector<std::string> gaps;                      //!< what is missing or damaged, a sentence each
 };
 
 //! \throw InputError if there is no such folder, or it is not the folder of one run; the message says what it seems to be

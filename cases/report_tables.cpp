@@ -58,7 +58,8 @@ Json key_figures(const Json& s)
   return rows;
 }
 
-Json pressures(const Json& s)
+//! \param compliant  whether the target gives way, which has a theory of its own
+Json pressures(const Json& s, bool compliant)
 {
   Json rows = Json::array();
   const Json& peaks = at_path(s, {"peak_pressure"});
@@ -69,16 +70,18 @@ Json pressures(const Json& s)
     const bool all = part == "all";
     const Json& theory = all ? at_path(s, {"theory"}) : at_path(s, {"theory", part});
     const auto shock = number_at(theory, {"hugoniot_pressure"});
-    rows.push_back({{"part", all ? "whole bird" : part},
-                    {"all", all},
-                    {"peak", quantity(value, 1e-6, "")},
-                    {"time", quantity(number_at(peak, {"time"}), 1e3, "")},
-                    {"mean", quantity(number_at(s, {"peak_mean_pressure", part, "value"}), 1e-6, "")},
-                    {"mean_time", quantity(number_at(s, {"peak_mean_pressure", part, "time"}), 1e3, "")},
-                    {"shock", quantity(shock, 1e-6, "")},
-                    {"over_shock", ratio(value, shock)},
-                    {"standing", quantity(number_at(theory, {"stagnation_standing_shock"}), 1e-6, "")},
-                    {"compliant", quantity(number_at(theory, {"compliant_target_pressure"}), 1e-6, "")}});
+    Json row{{"part", all ? "whole bird" : part},
+             {"all", all},
+             {"peak", quantity(value, 1e-6, 2)},
+             {"time", quantity(number_at(peak, {"time"}), 1e3, 3)},
+             {"mean", quantity(number_at(s, {"peak_mean_pressure", part, "value"}), 1e-6, 2)},
+             {"mean_time", quantity(number_at(s, {"peak_mean_pressure", part, "time"}), 1e3, 3)},
+             {"shock", quantity(shock, 1e-6, 2)},
+             {"over_shock", ratio(value, shock)},
+             {"standing", quantity(number_at(theory, {"stagnation_standing_shock"}), 1e-6, 2)}};
+    if (compliant)
+      row["first"] = quantity(number_at(theory, {"compliant_target_pressure"}), 1e-6, 2);
+    rows.push_back(std::move(row));
   }
   return rows;
 }
@@ -91,14 +94,14 @@ Json transducers(const Json& s)
     return rows;
   for (const auto& [name, one] : all.items())
     rows.push_back({{"name", name},
-                    {"peak", quantity(number_at(one, {"peak"}), 1e-6, "")},
-                    {"time", quantity(number_at(one, {"peak_time"}), 1e3, "")},
-                    {"raw", quantity(number_at(one, {"raw_peak"}), 1e-6, "")},
-                    {"pulse", quantity(number_at(one, {"pulse_mean"}), 1e-6, "")},
-                    {"over_shock", quantity(number_at(one, {"pulse_over_hugoniot"}), 1, "")},
-                    {"steady", quantity(number_at(one, {"steady_mean"}), 1e-6, "")},
-                    {"over_standing", quantity(number_at(one, {"steady_over_stagnation"}), 1, "")},
-                    {"duration", quantity(number_at(one, {"pulse_duration"}), 1e3, "")},
+                    {"peak", quantity(number_at(one, {"peak"}), 1e-6, 2)},
+                    {"time", quantity(number_at(one, {"peak_time"}), 1e3, 3)},
+                    {"raw", quantity(number_at(one, {"raw_peak"}), 1e-6, 2)},
+                    {"pulse", quantity(number_at(one, {"pulse_mean"}), 1e-6, 2)},
+                    {"over_shock", quantity(number_at(one, {"pulse_over_hugoniot"}), 1, 2)},
+                    {"steady", quantity(number_at(one, {"steady_mean"}), 1e-6, 2)},
+                    {"over_standing", quantity(number_at(one, {"steady_over_stagnation"}), 1, 2)},
+                    {"duration", quantity(number_at(one, {"pulse_duration"}), 1e3, 3)},
                     {"impulse", quantity(number_at(one, {"impulse"}), 1, "")}});
   return rows;
 }
@@ -163,20 +166,20 @@ Json parts(const Json& s)
     return rows;
   for (const auto& [name, part] : all.items()) {
     const auto body = number_at(part, {"mesh_volume"}), filled = number_at(part, {"particle_volume"});
-    rows.push_back({{"name", name},
-                    {"particles", quantity(number_at(part, {"particles"}), 1, "")},
-                    {"mass", quantity(number_at(part, {"mass"}), 1, "")},
-                    {"density", quantity(number_at(part, {"density"}), 1, "")},
-                    {"porosity", quantity(number_at(part, {"porosity"}), 1, "")},
-                    {"volume", quantity(body, 1e6, "")},
-                    {"filled", quantity(filled, 1e6, "")},
-                    {"off", body && filled && *body > 0 ? quantity(*filled / *body - 1, 100, "")
-                                                        : quantity({}, 1, "")}});
+    rows.push_back(
+        {{"name", name},
+         {"particles", quantity(number_at(part, {"particles"}), 1, 0)},
+         {"mass", quantity(number_at(part, {"mass"}), 1, 4)},
+         {"density", quantity(number_at(part, {"density"}), 1, 1)},
+         {"porosity", quantity(number_at(part, {"porosity"}), 1, 2)},
+         {"volume", quantity(body, 1e6, 1)},
+         {"filled", quantity(filled, 1e6, 1)},
+         {"off", body && filled && *body > 0 ? quantity(*filled / *body - 1, 100, 1) : quantity({}, 1, 1)}});
   }
   return rows;
 }
 
-//! Sums of named numbers that no table of its own shows.
+//! The numbers of an object by their keys, in SI.
 Json named_numbers(const Json& object)
 {
   Json rows = Json::array();
@@ -214,8 +217,8 @@ void add_summary_tables(Json& page, const ReportFolder& run)
 {
   const Json& s = run.summary;
   add_list(page, "key_figures", key_figures(s));
-  add_list(page, "pressures", pressures(s));
   page["compliant"] = number_at(s, {"theory", "compliant_target_pressure"}).has_value();
+  add_list(page, "pressures", pressures(s, page["compliant"]));
   add_list(page, "transducers", transducers(s));
   add_list(page, "target", target(s));
   add_list(page, "bird", bird(s));

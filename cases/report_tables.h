@@ -11,7 +11,8 @@ namespace birdstrike {
 //! cost; lists that would be empty are left out, and has_<list> tells of the others.
 void add_summary_tables(Json& page, const ReportFolder& run);
 
-//! Adds title, source and case_sections: [{name, keys: [{key, value, text}]}], text being the meaning of the key.
+//! Adds title, source, case_sections: [{name, keys: [{key, value, text}]}], text being the meaning of the key, and rules:
+//! [{rule, mass, speed, applies, read}], the certification rules that ask for a bird of this mass.
 void add_case_table(Json& page, const ReportFolder& run);
 
 } // namespace birdstrike

@@ -111,16 +111,15 @@ void Tracks::add_to(nlohmann::ordered_json& json) const
       values[i] = to_8_bits(field.values[i], range[0], range[1]);
       beyond = beyond || field.values[i] > range[1];
     }
-    json["fields"].push_back(
-        {{"name", field.what.array},
-         {"title", field.what.title},
-         {"unit", field.what.unit},
-         {"of", field.of_cells ? "cells" : "points"},
-         {"low", range[0]},
-         {"high", range[1]},
-         {"beyond", beyond}, // some values are above the range and are shown as its end
-         {"values",
-          packed(std::span<const std::uint8_t>(values), field.of_cells ? cells_ : points_.size())}});
+    json["fields"].push_back({{"name", field.what.array},
+                              {"title", field.what.title},
+                              {"unit", field.what.unit},
+                              {"of", field.of_cells ? "cells" : "points"},
+                              {"low", range[0]},
+                              {"high", range[1]},
+                              {"beyond", beyond}, // some values are above the range and are shown as its end
+                              {"values", packed(std::span<const std::uint8_t>(values),
+                                                field.of_cells ? cells_ : points_.size())}});
   }
   if (std::any_of(gone_.begin(), gone_.end(), [](std::uint8_t gone) { return gone != 0; }))
     json["gone"] = packed(std::span<const std::uint8_t>(gone_), cells_);

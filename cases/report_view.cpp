@@ -134,7 +134,8 @@ ReportView make_report_view(const std::filesystem::path& pvd, const ViewOptions&
   std::unique_ptr<Tracks> bird, target;
   Json json{{"times", Json::array()}};
   for (const std::size_t step :
-       evenly(index.steps.size(), static_cast<std::size_t>(std::max(options.frames, 2)))) {
+       evenly(index.steps.size(), static_cast<std::size_t>(std::max(options.frames, 2))))
+  {
     try {
       const Frame frame = read_frame(index, step);
       require(frame.bird != nullptr, fmt::format("{}: frame {} has no bird", pvd.string(), step));
@@ -144,10 +145,11 @@ ReportView make_report_view(const std::filesystem::path& pvd, const ViewOptions&
                        static_cast<std::size_t>(std::max(options.particles, 1)));
         view.particles = static_cast<long>(shown.size());
         bird = std::make_unique<Tracks>(*frame.bird, shown, bird_fields);
-        json["bird"] = {{"count", shown.size()},
-                        {"spacing", spacing_of(*frame.bird) *
-                                        std::cbrt(static_cast<double>(view.all_particles) /
-                                                  static_cast<double>(std::max<std::size_t>(shown.size(), 1)))}};
+        json["bird"] = {
+            {"count", shown.size()},
+            {"spacing", spacing_of(*frame.bird) *
+                            std::cbrt(static_cast<double>(view.all_particles) /
+                                      static_cast<double>(std::max<std::size_t>(shown.size(), 1)))}};
         add_parts(json["bird"], *frame.bird, shown);
         if (frame.target) {
           target = std::make_unique<Tracks>(

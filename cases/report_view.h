@@ -16,11 +16,12 @@ struct ViewOptions
 
 struct ReportView
 {
-  std::string data; //!< JSON for share/report/src/decode.js, fit to stand in a <script>; empty if there is nothing to see
-  int frames = 0, all_frames = 0;       //!< shown and in the series
+  std::string
+      data; //!< JSON for share/report/src/decode.js, fit to stand in a <script>; empty if there is nothing to see
+  int frames = 0, all_frames = 0;        //!< shown and in the series
   long particles = 0, all_particles = 0; //!< shown and in the bird
-  bool target = false;                  //!< whether there is one
-  std::vector<std::string> gaps;        //!< what is missing and why, a sentence each
+  bool target = false;                   //!< whether there is one
+  std::vector<std::string> gaps;         //!< what is missing and why, a sentence each
 };
 
 //! Positions have 16 bits in the box that all of them stay in, fields 8 bits in the range that all but a thousandth of

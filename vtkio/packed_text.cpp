@@ -39,8 +39,8 @@ std::string to_base64(std::span<const std::uint8_t> bytes)
   if (bytes.empty())
     return {};
   std::string text((bytes.size() + 2) / 3 * 4, '=');
-  const std::size_t length = vtkBase64Utilities::Encode(
-      bytes.data(), bytes.size(), reinterpret_cast<unsigned char*>(text.data()), 0);
+  const std::size_t length = vtkBase64Utilities::Encode(bytes.data(), bytes.size(),
+                                                        reinterpret_cast<unsigned char*>(text.data()), 0);
   text.resize(length);
   return text;
 }

@@ -17,6 +17,16 @@
   dark.addEventListener('change', tell);
   tell();
 
+  document.querySelectorAll('.images img').forEach((image) => {
+    const change = () => image.closest('figure').classList.toggle('large');
+    image.addEventListener('click', change);
+    image.addEventListener('keydown', (event) => {
+      if (event.key !== 'Enter' && event.key !== ' ') return;
+      event.preventDefault();
+      change();
+    });
+  });
+
   const shown = (value) => (Math.abs(value) >= 1e5 ? value.toExponential(2) : String(Number(value.toPrecision(4))));
   document.querySelectorAll('.chart').forEach((figure) => {
     const svg = figure.querySelector('svg');

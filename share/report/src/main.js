@@ -38,9 +38,8 @@ function start() {
   data.bird.fields.forEach((field) => option($('colour'), field.name, field.title));
   if (data.target) data.target.fields.forEach((field) => option($('target-colour'), field.name, field.title));
   else document.querySelectorAll('.of-target').forEach((element) => { element.hidden = true; });
-  const wanted = ['contact_pressure', 'displacement'].find((name) => data.target?.field(name));
-  if (data.target?.field('von_mises') || wanted) {
-    state.targetColour = data.target.field('displacement') ? 'displacement' : wanted ?? 'von_mises';
+  if (data.target?.field('displacement')) { // a target that bends
+    state.targetColour = 'displacement';
     $('target-colour').value = state.targetColour;
   }
 
@@ -119,15 +118,17 @@ function start() {
   };
   document.addEventListener('themechange', paint);
 
-  // What is on the screen is what is printed.
-  const keepPicture = async () => { $('view-print').src = await scene.picture(); };
-  window.addEventListener('beforeprint', () => { $('view-print').src = canvas.toDataURL(); });
+  // What is on the screen is what is printed, on white.
+  window.addEventListener('beforeprint', () => {
+    scene.background([255, 255, 255]);
+    $('view-print').src = canvas.toDataURL(); // in the same task as the drawing, or it would be empty
+  });
+  window.addEventListener('afterprint', paint);
 
   drawLegends();
   showFrame(0);
   scene.look('iso');
   paint();
-  keepPicture();
   $('view').classList.add('ready');
 }
 

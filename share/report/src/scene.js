@@ -134,26 +134,27 @@ export class Scene {
     this.targetData.modified();
   }
 
-  // Names of views as above; the camera holds the box of the first frame's bird and target.
+  // Names of views as above; the camera holds bird and target of the first frame.
   look(name) {
     const [direction, up] = views[name];
     const right = cross(direction, up);
+    const axes = [right, up, direction];
     const low = [Infinity, Infinity, Infinity];
     const high = [-Infinity, -Infinity, -Infinity];
-    const hold = (places) => places.forEach((x, i) => {
-      low[i % 3] = Math.min(low[i % 3], x);
-      high[i % 3] = Math.max(high[i % 3], x);
-    });
-    hold(this.data.bird.positions(0, new Float32Array(3 * this.data.bird.count)));
-    if (this.data.target) hold(this.data.target.positions(0, new Float32Array(3 * this.data.target.count)));
-    const centre = low.map((x, k) => (x + high[k]) / 2);
-    const half = [0, 0];
-    for (let corner = 0; corner < 8; ++corner) {
-      const p = [0, 1, 2].map((k) => ((corner >> k) & 1 ? high[k] : low[k]) - centre[k]);
-      half[0] = Math.max(half[0], Math.abs(dot(p, right)));
-      half[1] = Math.max(half[1], Math.abs(dot(p, up)));
-    }
-    const size = Math.hypot(...low.map((x, k) => high[k] - x));
+    const hold = (tracks) => {
+      const places = tracks.positions(0, new Float32Array(tracks.row));
+      for (let i = 0; i < places.length; i += 3)
+        for (let k = 0; k < 3; ++k) {
+          const x = dot(places.subarray(i, i + 3), axes[k]);
+          low[k] = Math.min(low[k], x);
+          high[k] = Math.max(high[k], x);
+        }
+    };
+    hold(this.data.bird);
+    if (this.data.target) hold(this.data.target);
+    const half = low.map((x, k) => (high[k] - x) / 2 + this.data.bird.spacing);
+    const centre = [0, 1, 2].map((j) => axes.reduce((sum, axis, k) => sum + (axis[j] * (low[k] + high[k])) / 2, 0));
+    const size = Math.hypot(...half);
     const [width, height] = this.window.getApiSpecificRenderWindow().getSize();
     const camera = this.renderer.getActiveCamera();
     camera.setFocalPoint(...centre);
@@ -191,12 +192,5 @@ export class Scene {
   render() {
     this.renderer.resetCameraClippingRange();
     this.window.getRenderWindow().render();
-  }
-
-  // The picture as it is, as the address of a PNG.
-  picture() {
-    const shot = this.window.getApiSpecificRenderWindow().captureNextImage('image/png');
-    this.render();
-    return shot;
   }
 }
