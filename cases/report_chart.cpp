@@ -28,6 +28,19 @@ Range range_of(const std::vector<ChartLine>& lines, std::vector<double> ChartLin
   return range;
 }
 
+//! Ticks with as many digits as their distance needs; where that is many, with a power of ten.
+std::vector<std::string> labels_of(const std::vector<double>& ticks)
+{
+  const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : 1;
+  const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
+  std::vector<std::string> labels;
+  for (const double tick : ticks)
+    labels.push_back(tick == 0                                  ? "0"
+                     : decimals > 5 || std::abs(tick) >= 1e6 ? fmt::format("{:.2g}", tick)
+                                                             : fixed_number(tick, decimals));
+  return labels;
+}
+
 std::string points_of(const ChartLine& line, const Range& x, const Range& y)
 {
   std::string text;
@@ -91,15 +104,17 @@ Json chart(const std::string& title, const std::string& unit, const std::vector<
             {"y0", fmt::format("{}", y[0])},
             {"y1", fmt::format("{}", y[1])}};
   json["x_ticks"] = json["y_ticks"] = json["lines"] = Json::array();
-  for (const double tick : ticks_between(x[0], x[1]))
+  const std::vector<double> times = ticks_between(x[0], x[1]), values = ticks_between(y[0], y[1]);
+  const std::vector<std::string> time_labels = labels_of(times), value_labels = labels_of(values);
+  for (std::size_t k = 0; k < times.size(); ++k)
     json["x_ticks"].push_back(
-        {{"at", fmt::format("{:.1f}", left + (right - left) * (tick - x[0]) / (x[1] - x[0]))},
-         {"label", short_number(tick)}});
-  for (const double tick : ticks_between(y[0], y[1]))
+        {{"at", fmt::format("{:.1f}", left + (right - left) * (times[k] - x[0]) / (x[1] - x[0]))},
+         {"label", time_labels[k]}});
+  for (std::size_t k = 0; k < values.size(); ++k)
     json["y_ticks"].push_back(
-        {{"at", fmt::format("{:.1f}", bottom - (bottom - top) * (tick - y[0]) / (y[1] - y[0]))},
-         {"label", short_number(tick)},
-         {"zero", tick == 0}});
+        {{"at", fmt::format("{:.1f}", bottom - (bottom - top) * (values[k] - y[0]) / (y[1] - y[0]))},
+         {"label", value_labels[k]},
+         {"zero", values[k] == 0}});
   for (const ChartLine& line : lines) {
     Json one{{"name", line.name}, {"points", points_of(line, x, y)}, {"dashed", line.dashed}};
     one["colour"] = line.colour.empty() ? "var(--text)" : line.colour;

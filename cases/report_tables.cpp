@@ -27,7 +27,7 @@ void add_list(Json& page, const std::string& name, Json rows)
 
 std::string at_time(const std::optional<double>& time)
 {
-  return time ? fmt::format("at {} ms", short_number(1e3 * *time)) : "";
+  return time ? fmt::format("at {} ms", fixed_number(1e3 * *time, 3)) : "";
 }
 
 double flight_speed(const Json& s)
