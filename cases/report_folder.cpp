@@ -181,8 +181,9 @@ History read_history_table(const fs::path& csv)
         values.push_back(value);
       at = next == end ? end : next + 1;
     }
-    const bool last = in.peek() == std::ifstream::traits_type::eof();
-    if (values.size() != table.columns.size() || in.eof()) { // a line without its end may be half a number
+    const bool cut_off = in.eof(); // without its end a line may be half a number
+    const bool last = cut_off || in.peek() == std::ifstream::traits_type::eof();
+    if (values.size() != table.columns.size() || cut_off) {
       require(last, fmt::format("row {} has not {} numbers", row, table.columns.size()));
       break;
     }

@@ -23,7 +23,8 @@ TEST_CASE("numbers in 16 and 8 bits come back within half a step", "[vtkio][repo
   }
   CHECK(worst_16 <= range / 65535 / 2 + rounding);
   CHECK(worst_8 <= range / 255 / 2 + rounding);
-  CHECK(worst_16 > 0.9 * range / 65535 / 2); // it is half a step and not less: all values of the range are used
+  CHECK(worst_16 >
+        0.9 * range / 65535 / 2); // it is half a step and not less: all values of the range are used
   CHECK(worst_8 > 0.9 * range / 255 / 2);
 }
 
