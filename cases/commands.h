@@ -17,6 +17,7 @@ void add_render_command(CLI::App& program);
 void add_series_command(CLI::App& program);
 void add_figures_command(CLI::App& program);
 void add_plot_command(CLI::App& program);
+void add_report_command(CLI::App& program);
 void add_cases_command(CLI::App& program);
 void add_theory_command(CLI::App& program);
 

@@ -29,6 +29,7 @@ int main(int argc, char** argv)
   add_series_command(program);
   add_figures_command(program);
   add_plot_command(program);
+  add_report_command(program);
   add_cases_command(program);
   add_theory_command(program);
 

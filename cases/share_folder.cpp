@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 
 namespace birdstrike {
 
-fs::path share_folder()
+//! The places in which the share folder may be, the first one first.
+static std::vector<fs::path> share_places()
 {
   std::error_code ignored;
   std::vector<fs::path> places;
@@ -26,9 +27,24 @@ fs::path share_folder()
   if (!program.empty())
     places.push_back(program.parent_path().parent_path() / "share" / "birdstrike");
   places.emplace_back(BIRDSTRIKE_SOURCE_SHARE);
-  for (const fs::path& place : places)
+  return places;
+}
+
+fs::path share_folder()
+{
+  std::error_code ignored;
+  for (const fs::path& place : share_places())
     if (fs::is_directory(place / "meshes", ignored))
       return place;
+  return {};
+}
+
+fs::path find_share_file(const fs::path& name)
+{
+  std::error_code ignored;
+  for (const fs::path& place : share_places())
+    if (fs::is_regular_file(place / name, ignored))
+      return place / name;
   return {};
 }
 

@@ -12,6 +12,11 @@ namespace birdstrike {
 //! share folder of the source tree; the first that is there. Empty if none is.
 std::filesystem::path share_folder();
 
+//! A file of the share folder, for example "report/view.js": in $BIRDSTRIKE_SHARE, in ../share/birdstrike beside the
+//! program's folder (which in a build tree holds what the build makes), or in the share folder of the source tree; the
+//! first that is there. Empty if none is.
+std::filesystem::path find_share_file(const std::filesystem::path& name);
+
 //! Folder of the catalogue: share_folder()/cases where installed, cases/ beside share/ in the source tree.
 std::filesystem::path catalogue_folder();
 

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads what a run's folder holds, and notes what it does not.
+#include "cases/report_folder.h"
+
+#include "core/error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+namespace fs = std::filesystem;
+
+namespace birdstrike {
+namespace {
+
+bool is_there(const fs::path& file)
+{
+  std::error_code ignored;
+  return fs::exists(file, ignored);
+}
+
+//! \throw InputError unless it looks like the folder of one run
+void require_run_folder(const fs::path& folder)
+{
+  std::error_code ignored;
+  require(is_there(folder), folder.string() + ": no such folder; give the folder that birdstrike run wrote");
+  require(
+      fs::is_directory(folder, ignored),
+      folder.string() + ": this is a file; give the folder that birdstrike run wrote" +
+          (is_there(folder.parent_path() / "run.pvd")
+               ? ", here " + (folder.has_parent_path() ? folder.parent_path().string() : std::string("\".\""))
+               : ""));
+  const bool is_run = is_there(folder / "summary.json") || is_there(folder / "run.pvd") ||
+                      is_there(folder / "histories.csv") || is_there(folder / "case.toml");
+  if (is_run)
+    return;
+  if (is_there(folder / "results.csv") || is_there(folder / "runs")) {
+    std::string example;
+    if (fs::is_directory(folder / "runs", ignored))
+      for (const fs::directory_entry& run : fs::directory_iterator(folder / "runs", ignored))
+        if (example.empty() || run.path().string() < example)
+          example = run.path().string();
+    throw InputError(folder.string() + ": this is the folder of a study; give that of one of its runs" +
+                     (example.empty() ? "" : ", for example " + example));
+  }
+  throw InputError(folder.string() + ": this is not the folder of a run: it holds neither summary.json nor "
+                                     "run.pvd, histories.csv or case.toml");
+}
+
+void read_summary(ReportFolder& run)
+{
+  run.summary = nlohmann::ordered_json::object();
+  const fs::path file = run.folder / "summary.json";
+  if (!is_there(file)) {
+    run.gaps.emplace_back(
+        "summary.json is missing: the run was stopped, or has not ended yet. What follows is from the "
+        "histories and frames so far.");
+    return;
+  }
+  try {
+    std::ifstream in(file);
+    auto read = nlohmann::ordered_json::parse(in);
+    if (!read.is_object())
+      throw InputError("it is no JSON object");
+    run.summary = std::move(read);
+    run.complete = true;
+  } catch (const std::exception&) {
+    run.gaps.emplace_back(
+        "summary.json is damaged: it is not the JSON object that a run writes. Run the case "
+        "again for the tables that are made from it.");
+  }
+}
+
+void read_case_file(ReportFolder& run)
+{
+  try {
+    run.case_entries = read_entries(run.folder / "case.toml");
+  } catch (const InputError&) {
+    run.gaps.emplace_back(is_there(run.folder / "case.toml")
+                              ? "case.toml is damaged: it is not TOML, so that the case cannot be shown."
+                              : "case.toml is missing, so that the case cannot be shown.");
+  }
+}
+
+void read_log(ReportFolder& run)
+{
+  std::ifstream in(run.folder / "run.log");
+  if (!in) {
+    run.gaps.emplace_back("run.log is missing: neither the date of the run nor its warnings are known.");
+    return;
+  }
+  static const std::regex stamp(R"(^(\d{4}-\d\d-\d\d \d\d:\d\d):\d\d\.\d+ (\w+) +(.*)$)");
+  for (std::string line; std::getline(in, line);) {
+    std::smatch found;
+    if (line.size() > 4000 || !std::regex_match(line, found, stamp))
+      continue;
+    if (run.date.empty())
+      run.date = found[1];
+    if (found[2] == "warning")
+      run.warnings.push_back(without_folders(found[3]));
+  }
+}
+
+void read_tables(ReportFolder& run)
+{
+  for (const auto& [name, table, needed] : {std::tuple{"histories.csv", &run.history, true},
+                                            std::tuple{"transducers.csv", &run.transducers, false}})
+  {
+    if (!needed && !is_there(run.folder / name))
+      continue;
+    try {
+      *table = read_history_table(run.folder / name);
+    } catch (const InputError& error) {
+      run.gaps.push_back(is_there(run.folder / name)
+                             ? fmt::format("{} is damaged: {}.", name, error.what())
+                             : fmt::format("{} is missing: there are no curves over time.", name));
+    }
+  }
+}
+
+void find_figures(ReportFolder& run)
+{
+  std::error_code ignored;
+  std::vector<fs::path> files;
+  if (fs::is_directory(run.folder / "figures", ignored))
+    for (const fs::directory_entry& item : fs::directory_iterator(run.folder / "figures", ignored))
+      if (item.is_regular_file(ignored) && item.path().extension() == ".png")
+        files.push_back(item.path());
+  std::sort(files.begin(), files.end());
+  static const std::regex single(R"(_\d+$)");
+  for (const fs::path& file : files) {
+    const std::string name = file.stem().string();
+    if (std::regex_search(name, single))
+      continue; // they stand together in a picture of their own
+    static const std::regex picture("^(overview|by_|target_|surface|cut|iso|view|snapshot)");
+    const bool frames = is_there(file.parent_path() / (name + "_0.png"));
+    const bool is_picture = frames || std::regex_search(name, picture);
+    (is_picture ? run.pictures : run.plots).push_back(file);
+  }
+  std::stable_partition(run.pictures.begin(), run.pictures.end(),
+                        [](const fs::path& file) { return file.stem() == "overview"; });
+  if (files.empty())
+    run.gaps.emplace_back("figures/ holds no pictures; birdstrike render makes some from run.pvd.");
+}
+
+} // namespace
+
+std::string without_folders(const std::string& text)
+{
+  static const std::regex folders(R"re((^|[\s"'(=])(/[^\s"'/:]+)*/([^\s"'/:]+))re");
+  return std::regex_replace(text, folders, "$1$3");
+}
+
+History read_history_table(const fs::path& csv)
+{
+  std::ifstream in(csv, std::ios::binary);
+  std::string line;
+  require(in && std::getline(in, line), "it cannot be read, or is empty");
+  History table;
+  std::istringstream titles(line);
+  for (std::string title; std::getline(titles, title, ',');) {
+    const std::size_t bracket = title.find('[');
+    require(bracket != std::string::npos && title.ends_with(']'),
+            fmt::format("the column title \"{}\" has no unit in brackets", title));
+    table.columns.push_back(
+        {title.substr(0, bracket), title.substr(bracket + 1, title.size() - bracket - 2)});
+  }
+  require(!table.columns.empty() && table.columns[0].name == "time", "its first column is not the time");
+  for (std::size_t row = 2; std::getline(in, line); ++row) {
+    std::vector<double> values;
+    const char *at = line.data(), *const end = at + line.size();
+    for (bool sound = true; sound && values.size() < table.columns.size();) {
+      double value = 0;
+      const auto [next, error] = std::from_chars(at, end, value);
+      sound = error == std::errc() && (next == end || *next == ',');
+      if (sound)
+        values.push_back(value);
+      at = next == end ? end : next + 1;
+    }
+    const bool cut_off = in.eof(); // without its end a line may be half a number
+    const bool last = cut_off || in.peek() == std::ifstream::traits_type::eof();
+    if (values.size() != table.columns.size() || cut_off) {
+      require(last, fmt::format("row {} has not {} numbers", row, table.columns.size()));
+      break;
+    }
+    table.values.insert(table.values.end(), values.begin(), values.end());
+  }
+  return table;
+}
+
+ReportFolder read_report_folder(const fs::path& folder)
+{
+  require_run_folder(folder);
+  ReportFolder run;
+  run.folder = folder;
+  read_summary(run);
+  read_case_file(run);
+  read_log(run);
+  read_tables(run);
+  find_figures(run);
+  return run;
+}
+
+} // namespace birdstrike
