@@ -3,8 +3,8 @@
 #include "cases/report_tracks.h"
 
 #include "core/error.h"
-#include "vtkio/array_range.h"
 #include "vtkio/quantise.h"
+#include "vtkio/shown_array.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -63,7 +63,7 @@ void Tracks::append(vtkUnstructuredGrid& grid)
     vtkDataArray& array = *array_of(grid, field.what.array, field.of_cells);
     const auto add = [&](std::size_t row) {
       field.values.push_back(
-          static_cast<float>(field.what.factor * length_of_tuple(array, static_cast<vtkIdType>(row))));
+          static_cast<float>(field.what.factor * ShownArray{&array}.value(static_cast<vtkIdType>(row))));
     };
     if (field.of_cells)
       for (std::size_t cell = 0; cell < cells_; ++cell)
