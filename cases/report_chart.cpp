@@ -35,7 +35,7 @@ std::vector<std::string> labels_of(const std::vector<double>& ticks)
   const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
   std::vector<std::string> labels;
   for (const double tick : ticks)
-    labels.push_back(tick == 0                                  ? "0"
+    labels.push_back(tick == 0                               ? "0"
                      : decimals > 5 || std::abs(tick) >= 1e6 ? fmt::format("{:.2g}", tick)
                                                              : fixed_number(tick, decimals));
   return labels;

@@ -94,6 +94,20 @@ std::vector<ChartLine> along_axes(const Charts& charts, const std::string& prefi
   return lines;
 }
 
+std::vector<ChartLine> energies(const Charts& charts)
+{
+  const std::string suffix = " energy";
+  std::vector<ChartLine> lines = charts.lines(
+      1e-3, [](const std::string& name) { return name.ends_with("_energy") || name == "external_work"; });
+  constexpr std::size_t colours = 8;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    lines[k].dashed = k >= colours; // the colours come again
+    if (lines[k].name.ends_with(suffix))
+      lines[k].name.resize(lines[k].name.size() - suffix.size());
+  }
+  return lines;
+}
+
 //! A straight line of theory over the time of the others.
 void add_theory(std::vector<ChartLine>& lines, const Json& summary, const char* key, const char* name,
                 std::size_t colour)
@@ -138,9 +152,7 @@ Json report_charts(const ReportFolder& run, std::vector<std::string>& replaced)
   charts.add("Deflection of the target", "mm", charts.lines(1e3, [](const std::string& name) {
     return name == "max_deflection" || name.starts_with("deflection_");
   }));
-  charts.add("Energies", "kJ", charts.lines(1e-3, [](const std::string& name) {
-    return name.ends_with("_energy") || name == "external_work";
-  }));
+  charts.add("Energies", "kJ", energies(charts));
   charts.add("Error of the energy balance", "%", charts.lines(100, starts("energy_balance_error")));
   charts.add("Elements eroded", "", charts.lines(1, starts("eroded_elements")));
   if (run.history.rows() > 1)

@@ -13,7 +13,7 @@ namespace birdstrike {
 struct ChartLine
 {
   std::string name, colour; //!< colour "#0072b2"; empty for that of text
-  bool dashed = false;      //!< theory
+  bool dashed = false;      //!< theory, and colours that come again
   std::vector<double> x, y; //!< of equal length, in the units of the chart
 };
 

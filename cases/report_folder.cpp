@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <fstream>
 #include <regex>
 #include <sstream>
@@ -155,6 +156,27 @@ std::string without_folders(const std::string& text)
   return std::regex_replace(text, folders, "$1$3");
 }
 
+nlohmann::ordered_json summary_so_far(const History& history)
+{
+  auto summary = nlohmann::ordered_json::object();
+  const auto add_peak = [&](const std::string& of, const std::string& part, std::size_t column) {
+    double value = -INFINITY, time = 0;
+    for (std::size_t row = 0; row < history.rows(); ++row)
+      if (history.at(row, column) > value) {
+        value = history.at(row, column);
+        time = history.at(row, 0);
+      }
+    if (std::isfinite(value))
+      summary[of][part] = {{"value", value}, {"time", time}};
+  };
+  for (std::size_t column = 0; column < history.columns.size(); ++column)
+    for (const auto& [prefix, of] : {std::pair<std::string, const char*>{"max_pressure_", "peak_pressure"},
+                                     {"max_mean_pressure_", "peak_mean_pressure"}})
+      if (const std::string& name = history.columns[column].name; name.starts_with(prefix))
+        add_peak(of, name.substr(prefix.size()), column);
+  return summary;
+}
+
 History read_history_table(const fs::path& csv)
 {
   std::ifstream in(csv, std::ios::binary);
@@ -201,6 +223,8 @@ ReportFolder read_report_folder(const fs::path& folder)
   read_case_file(run);
   read_log(run);
   read_tables(run);
+  if (run.summary.empty())
+    run.summary = summary_so_far(run.history);
   find_figures(run);
   return run;
 }

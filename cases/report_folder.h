@@ -17,7 +17,7 @@ struct ReportFolder
 {
   std::filesystem::path folder;
   bool complete = false;             //!< there is a sound summary.json
-  nlohmann::ordered_json summary;    //!< an empty object without one
+  nlohmann::ordered_json summary;    //!< without a sound one, what the histories tell
   std::vector<Entry> case_entries;   //!< of case.toml
   History history, transducers;      //!< of histories.csv and transducers.csv; no columns if missing
   std::string date;                  //!< of the run, "2026-11-22 17:09", by run.log; empty if not known
@@ -28,6 +28,9 @@ struct ReportFolder
 
 //! \throw InputError if there is no such folder, or it is not the folder of one run; the message says what it seems to be
 ReportFolder read_report_folder(const std::filesystem::path& folder);
+
+//! What a table of histories tells of a summary: the peak pressures, under the keys that summary.json has.
+nlohmann::ordered_json summary_so_far(const History& history);
 
 //! A table whose titles are name[unit]. A last row that is cut off, as in a run that was killed, is left out.
 //! \throw InputError naming file and row if it is no such table

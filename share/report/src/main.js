@@ -70,6 +70,7 @@ function start() {
   const player = new Player(data.times.length, showFrame, (plays) => {
     $('play').textContent = plays ? 'Pause' : 'Play';
     $('play').setAttribute('aria-pressed', plays);
+    if (!plays) keepPictureSoon();
   });
 
   time.addEventListener('input', () => { player.stop(); showFrame(Number(time.value)); });
@@ -118,17 +119,27 @@ function start() {
   };
   document.addEventListener('themechange', paint);
 
-  // What is on the screen is what is printed, on white.
-  window.addEventListener('beforeprint', () => {
+  // What is on the screen is what is printed, on white. The picture is made ahead: a browser does not wait for it.
+  const keepPicture = () => {
+    if (!canvas.clientWidth) return;
     scene.background([255, 255, 255]);
     $('view-print').src = canvas.toDataURL(); // in the same task as the drawing, or it would be empty
-  });
-  window.addEventListener('afterprint', paint);
+    paint();
+  };
+  let soon = 0;
+  const keepPictureSoon = () => {
+    clearTimeout(soon);
+    soon = setTimeout(keepPicture, 400);
+  };
+  $('view').addEventListener('input', keepPictureSoon);
+  for (const event of ['pointerup', 'wheel', 'keyup', 'click']) $('view').addEventListener(event, keepPictureSoon);
+  window.addEventListener('beforeprint', keepPicture);
 
   drawLegends();
   showFrame(0);
   scene.look('iso');
   paint();
+  keepPicture();
   $('view').classList.add('ready');
 }
 

@@ -48,8 +48,8 @@ export class Scene {
     this.birdMapper.setColorModeToDirectScalars();
     this.bird = vtkActor.newInstance();
     this.bird.setMapper(this.birdMapper);
-    this.bird.getProperty().setAmbient(0.25);
-    this.bird.getProperty().setDiffuse(0.75);
+    this.bird.getProperty().setAmbient(0.45); // their dark rims must not outweigh the colours of small spheres
+    this.bird.getProperty().setDiffuse(0.6);
     this.renderer.addActor(this.bird);
   }
 
@@ -185,6 +185,7 @@ export class Scene {
   }
 
   resize() {
+    if (!this.window.getContainer().clientWidth) return; // hidden, as on paper
     this.window.resize();
     this.render();
   }
