@@ -137,7 +137,7 @@ int panel_width(const MontageFigure& figure, const Bounds& bounds, int height)
   double aspect = 0;
   for (const std::string& scene : figure.scenes)
     aspect = std::max(aspect, width_over_height(bounds, scene_options(scene, figure.look).view));
-  constexpr double narrowest = 0.75, widest = 1.8, caption = 0.87; // of a panel's height that its scene has
+  constexpr double narrowest = 0.95, widest = 1.8, caption = 0.87; // of a panel's height that its scene has
   return static_cast<int>(height * std::clamp(caption * aspect, narrowest, widest));
 }
 

@@ -140,6 +140,7 @@ Plot plot_of_runs(const RunPlotOptions& options)
     }
 
   Plot plot;
+  plot.legend = LegendPlace::inside;
   plot.title = options.title;
   std::string si, x_si, unit, x_unit;
   for (std::size_t r = 0; r < options.runs.size(); ++r)

@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 #include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -83,6 +85,17 @@ void add_bird(RobustRange& range, vtkUnstructuredGrid& bird, const std::string& 
     range.add(*shown);
   else
     range_of(bird, field); // says that it is not there, and what is
+}
+
+//! Bounds hold the middles of particles; half a spacing more holds them whole.
+void pad(Bounds& bounds, vtkUnstructuredGrid& bird)
+{
+  vtkDataArray* spacing = bird.GetFieldData()->GetArray("spacing");
+  const double half = spacing && spacing->GetNumberOfTuples() > 0 ? 0.5 * spacing->GetComponent(0, 0) : 0;
+  for (std::size_t k = 0; k < 6; k += 2) {
+    bounds[k] -= half;
+    bounds[k + 1] += half;
+  }
 }
 
 } // namespace
@@ -167,8 +180,10 @@ SeriesExtent extent_of(SeriesFrames& frames, const std::vector<std::size_t>& ste
       widen(base, bounds_of(frame));
     }
   }
-  limit(wide, base, fit == Fit::bird ? 1.5 : 0.5); // the bird alone may well be shorter than its flight
+  limit(wide, base, 1.5);
   widen(base, wide);
+  if (start.bird)
+    pad(base, *start.bird);
   if (of_bird && !bird.empty())
     look.range = bird.range();
   if (of_target && !target.empty())

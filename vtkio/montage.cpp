@@ -85,12 +85,15 @@ vtkSmartPointer<vtkImageData> draw_montage(const std::vector<Frame>& frames, con
     if (k > 0 && (options.looks.empty() || options.looks[k - 1].view == look.view))
       continue; // the same camera again
     if (panel.axes)
-      page.add_axes(look.view, canvas, 3.4 * font);
-    if (panel.scale_bar)
-      add_scale_bar(page.ground(),
-                    {x + 0.7 * panel_width - 0.6 * font, y + panel_height - caption + 0.25 * font,
-                     0.3 * panel_width, caption},
-                    scenes.back()->metres_per_pixel(), font * 8 / 10, ink);
+      page.add_axes(look.view, canvas, 2.8 * font);
+    if (panel.scale_bar) { // beside the caption, whose letters are some 0.65 as wide as high
+      const double free = panel_width - 0.65 * font * static_cast<double>(text.size() + 4) - 2.4 * font;
+      const double bar = std::clamp(free, 0.15 * panel_width, 0.3 * panel_width);
+      add_scale_bar(
+          page.ground(),
+          {x + panel_width - 0.6 * font - bar, y + panel_height - caption + 0.25 * font, bar, caption},
+          scenes.back()->metres_per_pixel(), font * 8 / 10, ink);
+    }
   }
   if (title > 0)
     page.ground().AddActor2D(make_text(panel.title, 0.6 * font, height - title / 2,

@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "vtkio/offscreen_window.h"
 #include "vtkio/palette.h"
+#include "vtkio/plot_corner.h"
 #include "vtkio/text_style.h"
 #include "vtkio/ticks.h"
 #include "vtkio/write_png.h"
@@ -196,6 +197,23 @@ Plot with_logarithms(Plot plot)
   return plot;
 }
 
+//! Shares of the plot's area that the legend takes, its distance from the axes included.
+std::array<double, 2> legend_size(const Plot& plot, int font)
+{
+  constexpr double symbol = 50, gap = 10, letter = 0.56,
+                   row = 1.25;                        // [pixel], [pixel], over the font's height
+  const double axes = 6.0 * font, label = 0.9 * font; // what axes and title take of a side
+  std::size_t longest = 0, rows = 0;
+  for (const PlotSeries& series : plot.series)
+    if (!series.name.empty()) {
+      longest = std::max(longest, series.name.size());
+      ++rows;
+    }
+  const double width = symbol + letter * label * static_cast<double>(longest) + 2 * gap,
+               height = (row * label + 0.5 * gap) * static_cast<double>(rows) + 2 * gap;
+  return {width / (plot.width - axes), height / (plot.height - axes)};
+}
+
 void set_axis(vtkAxis& axis, const std::string& title, const std::array<double, 2>& range, int font,
               bool is_log)
 {
@@ -224,7 +242,9 @@ void set_axis(vtkAxis& axis, const std::string& title, const std::array<double, 
 
 } // namespace
 
-void write_plot(const Plot& linear, const std::filesystem::path& png)
+void write_plot(const Plot& plot, const std::filesystem::path& png) { write_png(*draw_plot(plot), png); }
+
+vtkSmartPointer<vtkImageData> draw_plot(const Plot& linear)
 {
   check(linear);
   const Plot plot = with_logarithms(linear);
@@ -235,16 +255,20 @@ void write_plot(const Plot& linear, const std::filesystem::path& png)
   set_text_style(*chart->GetTitleProperties(), font * 11 / 10);
   for (std::size_t k = 0; k < plot.series.size(); ++k)
     add_series(*chart, plot.series[k], k);
-  set_axis(*chart->GetAxis(vtkAxis::BOTTOM), plot.x_label,
-           plot.x_range.value_or(range_of(plot, &PlotSeries::x, 0)), font, plot.x_log);
-  set_axis(*chart->GetAxis(vtkAxis::LEFT), plot.y_label,
-           plot.y_range.value_or(range_of(plot, &PlotSeries::y, 0.04)), font, plot.y_log);
+  PlotBox box{plot.x_range.value_or(range_of(plot, &PlotSeries::x, 0)),
+              plot.y_range.value_or(range_of(plot, &PlotSeries::y, 0.04))};
+  if (plot.legend == LegendPlace::inside)
+    box = with_headroom(plot, box, legend_size(plot, font));
+  set_axis(*chart->GetAxis(vtkAxis::BOTTOM), plot.x_label, box.x, font, plot.x_log);
+  set_axis(*chart->GetAxis(vtkAxis::LEFT), plot.y_label, box.y, font, plot.y_log);
 
   chart->SetShowLegend(true);
   vtkChartLegend& legend = *chart->GetLegend();
-  legend.SetInline(false); // beside the curves, never on them
-  legend.SetHorizontalAlignment(vtkChartLegend::RIGHT);
-  legend.SetVerticalAlignment(vtkChartLegend::TOP);
+  const std::optional<PlotCorner> corner =
+      plot.legend == LegendPlace::inside ? free_corner(plot, box, legend_size(plot, font)) : std::nullopt;
+  legend.SetInline(corner.has_value()); // else beside the curves: never on them
+  legend.SetHorizontalAlignment(corner && !corner->right ? vtkChartLegend::LEFT : vtkChartLegend::RIGHT);
+  legend.SetVerticalAlignment(corner && !corner->top ? vtkChartLegend::BOTTOM : vtkChartLegend::TOP);
   legend.SetLabelSize(font * 9 / 10);
   set_text_style(*legend.GetLabelProperties(), font * 9 / 10);
 
@@ -256,7 +280,7 @@ void write_plot(const Plot& linear, const std::filesystem::path& png)
   vtkSmartPointer<vtkRenderWindow> window = make_offscreen_window(plot.width, plot.height);
   window->AddRenderer(renderer);
   actor->GetScene()->SetRenderer(renderer);
-  write_png(*render_image(*window), png);
+  return render_image(*window);
 }
 
 } // namespace birdstrike

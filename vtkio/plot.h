@@ -2,11 +2,15 @@
 // Line plots as PNG files.
 #pragma once
 
+#include <vtkSmartPointer.h>
+
 #include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
+
+class vtkImageData;
 
 namespace birdstrike {
 
@@ -30,6 +34,12 @@ enum class Marker
   open_circle //!< for published values
 };
 
+enum class LegendPlace
+{
+  beside, //!< right of the curves
+  inside //!< in a corner where it covers no curve; if there is none above them, or beside them if it is narrow
+};
+
 struct PlotSeries
 {
   std::string name;         //!< in the legend; empty: not listed there
@@ -48,10 +58,14 @@ struct Plot
   std::optional<std::array<double, 2>> x_range, y_range; //!< otherwise those of the data
   int width = 1280, height = 720;                        //!< [pixel]
   bool x_log = false, y_log = false;                     //!< values that are not positive are left out
+  LegendPlace legend = LegendPlace::beside;
 };
 
 //! \throw InputError if x and y differ in length, a colour cannot be read or there is nothing to plot;
 //!        OutputError as write_png
 void write_plot(const Plot& plot, const std::filesystem::path& png);
+
+//! The same as an image.
+vtkSmartPointer<vtkImageData> draw_plot(const Plot& plot);
 
 } // namespace birdstrike

@@ -104,9 +104,10 @@ void Snapshot::State::add_texts(const Frame& frame, const Ranges& ranges)
     return;
   if (is_cut(options))
     page.ground().AddActor2D(make_text(cut_text(options.plane), canvas.width + 0.4 * font,
-                                       (options.scale_bar ? 0.115 : 0.06) * options.height, font * 8 / 10,
+                                       options.scale_bar ? 3.2 * font : 0.06 * options.height, font * 8 / 10,
                                        Anchor::left, ink));
-  const double foot = options.scale_bar ? 0.16 : 0.12; // of the height, below the legend
+  const double foot = // below the legend, of the height
+      options.scale_bar ? std::max(0.16, 4.2 * font / options.height) : 0.12;
   Rectangle place{canvas.width + 0.4 * font, foot * options.height, legend_width() - 0.8 * font,
                   (0.88 - foot) * options.height};
   const bool of_target = frame.target && !options.target_field.empty();
