@@ -163,9 +163,12 @@ const checks = {
     isQuiet(narrow);
 
     const printed = await open(browser);
+    const picture = () => printed.evaluate(() => document.getElementById('view-print').src);
+    const before = await picture();
+    await setTime(printed, 0.5);
     await printed.pdf({ format: 'A4' });
-    const picture = await printed.evaluate(() => document.getElementById('view-print').src);
-    assert(picture.length > 5000, 'the picture that is printed is not empty');
+    assert((await picture()).length > 5000, 'the picture that is printed is not empty');
+    assert.notEqual(await picture(), before, 'the moment that is seen is printed');
     isQuiet(printed);
   },
 
