@@ -110,6 +110,18 @@ const checks = {
   async 'colours, parts, cut and hole are what they say'(browser) {
     const page = await open(browser);
     await page.click('[data-look=front]');
+    await page.click('h2:text("Bird and target")'); // elsewhere
+    const far = await stage(page);
+    const box = await page.locator('#view-canvas').boundingBox();
+    await page.mouse.move(box.x + 100, box.y + 150);
+    await page.mouse.wheel(0, -60);
+    await page.waitForTimeout(300);
+    assert((await stage(page)).differs(far) < 0.002, 'the wheel is the page\'s');
+    await page.focus('#view-canvas');
+    await page.mouse.wheel(0, -300);
+    await page.waitForTimeout(300);
+    assert((await stage(page)).differs(far) > 0.02, 'after a click it zooms');
+    await page.click('[data-look=front]');
     const colours = await page.locator('.swatch').evaluateAll((all) => all.map((one) => getComputedStyle(one).backgroundColor.match(/\d+/g).map(Number)));
     const like = (wanted) => (r, g, b) => { // the hue of a lit sphere: the same ratios, darker
       const scale = (r + g + b) / (wanted[0] + wanted[1] + wanted[2]);

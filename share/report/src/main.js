@@ -33,7 +33,7 @@ function start() {
   const scene = new Scene(data, $('view-canvas'));
   const canvas = $('view-canvas').querySelector('canvas');
   canvas.setAttribute('role', 'img');
-  canvas.setAttribute('aria-label', 'Bird and target in three dimensions; drag to turn, wheel to come nearer');
+  canvas.setAttribute('aria-label', 'Bird and target in three dimensions; drag to turn');
 
   data.bird.fields.forEach((field) => option($('colour'), field.name, field.title));
   if (data.target) data.target.fields.forEach((field) => option($('target-colour'), field.name, field.title));
@@ -112,6 +112,13 @@ function start() {
     event.stopPropagation();
     keys[event.key]();
   });
+
+  // The wheel is the page's until the view has been clicked.
+  const stage = $('view-canvas').parentElement;
+  stage.addEventListener('wheel', (event) => {
+    if (!stage.contains(document.activeElement)) event.stopPropagation();
+  }, { capture: true });
+  $('view-canvas').addEventListener('pointerdown', () => $('view-canvas').focus({ preventScroll: true }), { capture: true });
 
   const paint = () => {
     const [r, g, b] = getComputedStyle($('view-canvas')).backgroundColor.match(/[\d.]+/g).map(Number);
