@@ -158,6 +158,12 @@ const checks = {
     await page.selectOption('#target-colour', 'plastic_strain');
     assert((await stage(page)).differs(plain) > 0.05, 'a field colours the target');
     assert.match(await page.locator('#target-legend').textContent(), /plastic strain \[%\]/);
+    const wide = await stage(page);
+    const end = parseFloat((await page.locator('#target-legend .bar-ends span').last().textContent()).replace('≥', ''));
+    await page.locator('#target-legend input').fill('0.1');
+    assert((await stage(page)).differs(wide) > 0.005, 'a narrower range spreads the colours');
+    const now = parseFloat((await page.locator('#target-legend .bar-ends span').last().textContent()).replace('≥', ''));
+    assert(Math.abs(now / end - 0.1) < 0.002, `${now} is a tenth of ${end}`);
     isQuiet(page);
   },
 

@@ -18,6 +18,9 @@ const views = {
 };
 const grey = [189, 196, 204];
 
+// Colour of each of the 256 values of a field, where the colours span that share of its range.
+const spread = (colours, share) => colours.map((_, value) => colours[Math.min(255, Math.round(value / share))]);
+
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 
@@ -77,8 +80,9 @@ export class Scene {
     this.render();
   }
 
-  showBird({ frame, colour, hidden, cut }) {
-    const { bird, colours } = this.data;
+  showBird({ frame, colour, hidden, cut, scale }) {
+    const { bird } = this.data;
+    const colours = spread(this.data.colours, scale.share);
     bird.positions(frame, this.places);
     const field = colour === 'part' ? null : bird.field(colour).at(frame);
     const ofPart = bird.parts.map(({ colour: c }) => [1, 3, 5].map((at) => parseInt(c.slice(at, at + 2), 16)));
@@ -100,8 +104,9 @@ export class Scene {
     this.bird.setVisibility(shown > 0);
   }
 
-  showTarget({ frame, targetColour, cut, showTarget, edges }) {
-    const { target, colours } = this.data;
+  showTarget({ frame, targetColour, cut, showTarget, edges, targetScale }) {
+    const { target } = this.data;
+    const colours = spread(this.data.colours, targetScale.share);
     this.target.setVisibility(showTarget);
     if (!showTarget) return;
     const places = target.positions(frame, this.targetPlaces).slice();
