@@ -27,6 +27,7 @@ constexpr std::array own_files{
     "transducers.csv",
     "case.toml",
     "run.log",
+    "report.html",
     "frames/bird_*.vtu",
     "frames/target_*.vtu",
     "figures/overview.png",

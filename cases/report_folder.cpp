@@ -94,15 +94,16 @@ void read_log(ReportFolder& run)
     run.gaps.emplace_back("run.log is missing: neither the date of the run nor its warnings are known.");
     return;
   }
-  static const std::regex stamp(R"(^(\d{4}-\d\d-\d\d \d\d:\d\d):\d\d\.\d+ (\w+) +(.*)$)");
-  for (std::string line; std::getline(in, line);) {
-    std::smatch found;
-    if (line.size() > 4000 || !std::regex_match(line, found, stamp))
+  for (std::string line; std::getline(in, line);) { // "2026-11-22 17:09:41.423 warning the bird starts ..."
+    constexpr std::size_t minutes = 16, stamp = 24;
+    constexpr std::string_view warning = "warning";
+    if (line.size() < stamp || line[4] != '-' || line[13] != ':' || line[stamp - 1] != ' ')
       continue;
     if (run.date.empty())
-      run.date = found[1];
-    if (found[2] == "warning")
-      run.warnings.push_back(without_folders(found[3]));
+      run.date = line.substr(0, minutes);
+    const std::size_t words = line.find_first_not_of(' ', stamp + warning.size());
+    if (std::string_view(line).substr(stamp).starts_with(warning) && words != std::string::npos)
+      run.warnings.push_back(without_folders(line.substr(words)));
   }
 }
 
@@ -152,8 +153,23 @@ void find_figures(ReportFolder& run)
 
 std::string without_folders(const std::string& text)
 {
-  static const std::regex folders(R"re((^|[\s"'(=])(/[^\s"'/:]+)*/([^\s"'/:]+))re");
-  return std::regex_replace(text, folders, "$1$3");
+  constexpr std::string_view before = " \t\n\"'(=", ends = " \t\n\"':)";
+  std::string result;
+  for (std::size_t at = 0; at < text.size();) {
+    const bool begins = text[at] == '/' && (at == 0 || before.find(text[at - 1]) != std::string_view::npos);
+    const std::size_t end = std::min(text.size(), text.find_first_of(ends, at));
+    std::size_t name = end; // end of the last name of the path
+    while (begins && name > at && text[name - 1] == '/')
+      --name;
+    if (begins && name > at) { // not a slash alone
+      const std::size_t last = text.rfind('/', name - 1);
+      result += text.substr(last + 1, end - last - 1);
+      at = end;
+    } else {
+      result += text[at++];
+    }
+  }
+  return result;
 }
 
 nlohmann::ordered_json summary_so_far(const History& history)

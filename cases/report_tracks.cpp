@@ -101,7 +101,7 @@ void Tracks::add_to(nlohmann::ordered_json& json) const
 
   json["fields"] = nlohmann::ordered_json::array();
   for (const Field& field : fields_) {
-    constexpr double outliers = 0.001;
+    constexpr double outliers = 0.01;
     const auto range = range_without_outliers(field.values, outliers);
     if (!(range[1] > range[0]))
       continue;

@@ -24,8 +24,8 @@ struct ReportView
   std::vector<std::string> gaps;         //!< what is missing and why, a sentence each
 };
 
-//! Positions have 16 bits in the box that all of them stay in, fields 8 bits in the range that all but a thousandth of
-//! their values stay in. What cannot be read is told in gaps, and never thrown.
+//! Positions have 16 bits in the box that all of them stay in, fields 8 bits in the range that all but a hundredth of
+//! their values above the lowest stay in. What cannot be read is told in gaps, and never thrown.
 //! \param pvd  run.pvd, which may be missing
 ReportView make_report_view(const std::filesystem::path& pvd, const ViewOptions& options);
 

@@ -20,6 +20,7 @@ TEST_CASE("a folder is made, and cleared of an earlier run but not of other file
                               "histories.csv",
                               "case.toml",
                               "run.log",
+                              "report.html",
                               "frames/bird_0000.vtu",
                               "frames/target_0012.vtu",
                               "figures/by_part.png",

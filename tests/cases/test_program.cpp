@@ -154,7 +154,7 @@ TEST_CASE("misuse of the command line ends with status 2, help with 0", "[cases]
   }
   CHECK(fs::is_empty(folder.path));
   for (const char* arguments : {"--help", "--version", "run --help", "bird --help", "histories --help",
-                                "render --help", "cases --help", "cases --keys"})
+                                "render --help", "report --help", "cases --help", "cases --keys"})
   {
     INFO(arguments);
     CHECK(program(folder.path, arguments).status == 0);

@@ -312,4 +312,9 @@ TEST_CASE("folders of paths are left out of texts", "[cases][report]")
   CHECK(without_folders("cannot read \"/a/b c.k\" or /tmp/x.vtu, 3 m/s and 4/5") ==
         "cannot read \"b c.k\" or x.vtu, 3 m/s and 4/5");
   CHECK(without_folders("kN/m2 N s / m") == "kN/m2 N s / m");
+  CHECK(without_folders("/") == "/");
+  CHECK(without_folders("").empty());
+  CHECK(without_folders("/tmp/folder/ holds nothing") == "folder/ holds nothing");
+  const std::string deep(1000000, 'a');
+  CHECK(without_folders("/b/" + deep) == deep);
 }

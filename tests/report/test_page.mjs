@@ -110,6 +110,18 @@ const checks = {
   async 'colours, parts, cut and hole are what they say'(browser) {
     const page = await open(browser);
     await page.click('[data-look=front]');
+    await page.click('h2:text("Bird and target")'); // elsewhere
+    const far = await stage(page);
+    const box = await page.locator('#view-canvas').boundingBox();
+    await page.mouse.move(box.x + 100, box.y + 150);
+    await page.mouse.wheel(0, -60);
+    await page.waitForTimeout(300);
+    assert((await stage(page)).differs(far) < 0.002, 'the wheel is the page\'s');
+    await page.focus('#view-canvas');
+    await page.mouse.wheel(0, -300);
+    await page.waitForTimeout(300);
+    assert((await stage(page)).differs(far) > 0.02, 'after a click it zooms');
+    await page.click('[data-look=front]');
     const colours = await page.locator('.swatch').evaluateAll((all) => all.map((one) => getComputedStyle(one).backgroundColor.match(/\d+/g).map(Number)));
     const like = (wanted) => (r, g, b) => { // the hue of a lit sphere: the same ratios, darker
       const scale = (r + g + b) / (wanted[0] + wanted[1] + wanted[2]);
@@ -146,6 +158,12 @@ const checks = {
     await page.selectOption('#target-colour', 'plastic_strain');
     assert((await stage(page)).differs(plain) > 0.05, 'a field colours the target');
     assert.match(await page.locator('#target-legend').textContent(), /plastic strain \[%\]/);
+    const wide = await stage(page);
+    const end = parseFloat((await page.locator('#target-legend .bar-ends span').last().textContent()).replace('≥', ''));
+    await page.locator('#target-legend input').fill('0.1');
+    assert((await stage(page)).differs(wide) > 0.005, 'a narrower range spreads the colours');
+    const now = parseFloat((await page.locator('#target-legend .bar-ends span').last().textContent()).replace('≥', ''));
+    assert(Math.abs(now / end - 0.1) < 0.002, `${now} is a tenth of ${end}`);
     isQuiet(page);
   },
 
@@ -163,9 +181,12 @@ const checks = {
     isQuiet(narrow);
 
     const printed = await open(browser);
+    const picture = () => printed.evaluate(() => document.getElementById('view-print').src);
+    const before = await picture();
+    await setTime(printed, 0.5);
     await printed.pdf({ format: 'A4' });
-    const picture = await printed.evaluate(() => document.getElementById('view-print').src);
-    assert(picture.length > 5000, 'the picture that is printed is not empty');
+    assert((await picture()).length > 5000, 'the picture that is printed is not empty');
+    assert.notEqual(await picture(), before, 'the moment that is seen is printed');
     isQuiet(printed);
   },
 

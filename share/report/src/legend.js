@@ -33,16 +33,30 @@ function short(value) {
   return Math.abs(value) >= 1e5 || (value !== 0 && Math.abs(value) < 1e-3) ? value.toExponential(2) : String(Number(value.toPrecision(3)));
 }
 
-// A bar with its ends; a value beyond the range is told by the sign at its upper end.
-export function legendOfField(field, colours, owner) {
+// A bar with its ends, and a slider that moves the upper one; a value beyond it is told by the sign there. scale.share is
+// the part of the field's range that the colours span, 0.05 to 1; changed() is called after each change.
+export function legendOfField(field, colours, owner, scale, changed) {
   const box = element('div', 'bar');
   box.append(element('div', 'bar-title', `${owner}: ${field.title.toLowerCase()} [${field.unit}]`));
   const strip = element('div', 'bar-strip');
   strip.style.background = `linear-gradient(to right, ${colours.filter((_, k) => k % 15 === 0).join(', ')})`;
   const ends = element('div', 'bar-ends');
-  const middle = (field.low + field.high) / 2;
-  ends.append(element('span', '', short(field.low)), element('span', '', short(middle)),
-    element('span', '', `${field.beyond ? '≥ ' : ''}${short(field.high)}`));
-  box.append(strip, ends);
+  ends.append(element('span'), element('span'), element('span'));
+  const label = () => {
+    const high = field.low + scale.share * (field.high - field.low);
+    ends.children[0].textContent = short(field.low);
+    ends.children[1].textContent = short((field.low + high) / 2);
+    ends.children[2].textContent = `${field.beyond || scale.share < 1 ? '≥ ' : ''}${short(high)}`;
+  };
+  const slider = element('input', 'bar-slider');
+  Object.assign(slider, { type: 'range', min: 0.05, max: 1, step: 0.05, value: scale.share, title: 'Upper end of the colours' });
+  slider.setAttribute('aria-label', `Upper end of the colours of the ${owner.toLowerCase()}`);
+  slider.addEventListener('input', () => {
+    scale.share = Number(slider.value);
+    label();
+    changed();
+  });
+  label();
+  box.append(strip, ends, slider);
   return box;
 }

@@ -29,11 +29,11 @@ function sayThatItCannot(why) {
 
 function start() {
   const data = decode($('view-data').textContent);
-  const state = { frame: 0, colour: 'part', targetColour: '', hidden: new Set(), cut: false, showTarget: true, edges: true };
+  const state = { frame: 0, colour: 'part', targetColour: '', hidden: new Set(), cut: false, showTarget: true, edges: true, scale: { share: 1 }, targetScale: { share: 1 } };
   const scene = new Scene(data, $('view-canvas'));
   const canvas = $('view-canvas').querySelector('canvas');
   canvas.setAttribute('role', 'img');
-  canvas.setAttribute('aria-label', 'Bird and target in three dimensions; drag to turn, wheel to come nearer');
+  canvas.setAttribute('aria-label', 'Bird and target in three dimensions; drag to turn');
 
   data.bird.fields.forEach((field) => option($('colour'), field.name, field.title));
   if (data.target) data.target.fields.forEach((field) => option($('target-colour'), field.name, field.title));
@@ -48,11 +48,11 @@ function start() {
     $('legend').replaceChildren(
       state.colour === 'part'
         ? legendOfParts(data.bird.parts, state.hidden, draw)
-        : legendOfField(data.bird.field(state.colour), data.colourNames, 'Bird'),
+        : legendOfField(data.bird.field(state.colour), data.colourNames, 'Bird', state.scale, draw),
     );
     $('target-legend').replaceChildren(
       ...(state.targetColour && state.showTarget
-        ? [legendOfField(data.target.field(state.targetColour), data.colourNames, 'Target')]
+        ? [legendOfField(data.target.field(state.targetColour), data.colourNames, 'Target', state.targetScale, draw)]
         : []),
     );
   };
@@ -77,8 +77,8 @@ function start() {
   $('play').addEventListener('click', () => player.toggle(state.frame));
   $('speed').addEventListener('change', () => { player.speed = Number($('speed').value); });
   player.speed = Number($('speed').value);
-  $('colour').addEventListener('change', () => { state.colour = $('colour').value; drawLegends(); draw(); });
-  $('target-colour').addEventListener('change', () => { state.targetColour = $('target-colour').value; drawLegends(); draw(); });
+  $('colour').addEventListener('change', () => { state.colour = $('colour').value; state.scale.share = 1; drawLegends(); draw(); });
+  $('target-colour').addEventListener('change', () => { state.targetColour = $('target-colour').value; state.targetScale.share = 1; drawLegends(); draw(); });
   const toggles = [['cut', 'cut'], ['show-target', 'showTarget'], ['edges', 'edges']];
   toggles.forEach(([id, name]) => {
     $(id).checked = state[name];
@@ -112,6 +112,13 @@ function start() {
     event.stopPropagation();
     keys[event.key]();
   });
+
+  // The wheel is the page's until the view has been clicked.
+  const stage = $('view-canvas').parentElement;
+  stage.addEventListener('wheel', (event) => {
+    if (!stage.contains(document.activeElement)) event.stopPropagation();
+  }, { capture: true });
+  $('view-canvas').addEventListener('pointerdown', () => $('view-canvas').focus({ preventScroll: true }), { capture: true });
 
   const paint = () => {
     const [r, g, b] = getComputedStyle($('view-canvas')).backgroundColor.match(/[\d.]+/g).map(Number);

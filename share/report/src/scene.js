@@ -18,6 +18,9 @@ const views = {
 };
 const grey = [189, 196, 204];
 
+// Colour of each of the 256 values of a field, where the colours span that share of its range.
+const spread = (colours, share) => colours.map((_, value) => colours[Math.min(255, Math.round(value / share))]);
+
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 
@@ -77,8 +80,9 @@ export class Scene {
     this.render();
   }
 
-  showBird({ frame, colour, hidden, cut }) {
-    const { bird, colours } = this.data;
+  showBird({ frame, colour, hidden, cut, scale }) {
+    const { bird } = this.data;
+    const colours = spread(this.data.colours, scale.share);
     bird.positions(frame, this.places);
     const field = colour === 'part' ? null : bird.field(colour).at(frame);
     const ofPart = bird.parts.map(({ colour: c }) => [1, 3, 5].map((at) => parseInt(c.slice(at, at + 2), 16)));
@@ -100,27 +104,25 @@ export class Scene {
     this.bird.setVisibility(shown > 0);
   }
 
-  showTarget({ frame, targetColour, cut, showTarget, edges }) {
-    const { target, colours } = this.data;
+  showTarget({ frame, targetColour, cut, showTarget, edges, targetScale }) {
+    const { target } = this.data;
+    const colours = spread(this.data.colours, targetScale.share);
     this.target.setVisibility(showTarget);
     if (!showTarget) return;
     const places = target.positions(frame, this.targetPlaces).slice();
     const field = targetColour ? target.field(targetColour) : null;
     const values = field ? field.at(frame) : null;
-    const gone = target.gone ? target.gone.subarray(frame * target.cells, (frame + 1) * target.cells) : null;
     const faces = [];
     const rgb = [];
-    for (let at = 0, cell = 0; at < target.faces.length; at += 1 + target.faces[at], ++cell) {
-      if (gone && gone[cell]) continue;
-      const corners = target.faces.subarray(at + 1, at + 1 + target.faces[at]);
+    this.standing(frame, (corners, cell) => {
       if (cut) { // elements whose middle lies behind the cut stay whole
         let middle = 0;
         corners.forEach((corner) => { middle += places[3 * corner + 1]; });
-        if (middle < 0) continue;
+        if (middle < 0) return;
       }
       faces.push(corners.length, ...corners);
       if (!field || field.of === 'cells') rgb.push(...(field ? colours[values[cell]] : grey));
-    }
+    });
     this.targetData.getPoints().setData(places, 3);
     this.targetData.getPolys().setData(Uint32Array.from(faces));
     const ofPoints = field && field.of === 'points';
@@ -134,24 +136,36 @@ export class Scene {
     this.targetData.modified();
   }
 
-  // Names of views as above; the camera holds bird and target of the first frame.
+  // Calls each(corners, number) for every element of the target that has not eroded.
+  standing(frame, each) {
+    const { faces, gone, cells } = this.data.target;
+    for (let at = 0, cell = 0; at < faces.length; at += 1 + faces[at], ++cell)
+      if (!gone || !gone[frame * cells + cell]) each(faces.subarray(at + 1, at + 1 + faces[at]), cell);
+  }
+
+  // Names of views as above; the camera holds the bird of the first frame, and the
+  // target of all time.
   look(name) {
     const [direction, up] = views[name];
     const right = cross(direction, up);
     const axes = [right, up, direction];
     const low = [Infinity, Infinity, Infinity];
     const high = [-Infinity, -Infinity, -Infinity];
-    const hold = (tracks) => {
-      const places = tracks.positions(0, new Float32Array(tracks.row));
-      for (let i = 0; i < places.length; i += 3)
-        for (let k = 0; k < 3; ++k) {
-          const x = dot(places.subarray(i, i + 3), axes[k]);
-          low[k] = Math.min(low[k], x);
-          high[k] = Math.max(high[k], x);
-        }
+    const hold = (places, i) => {
+      for (let k = 0; k < 3; ++k) {
+        const x = dot(places.subarray(3 * i, 3 * i + 3), axes[k]);
+        low[k] = Math.min(low[k], x);
+        high[k] = Math.max(high[k], x);
+      }
     };
-    hold(this.data.bird);
-    if (this.data.target) hold(this.data.target);
+    const { bird, target, times } = this.data;
+    const places = bird.positions(0, new Float32Array(bird.row));
+    for (let i = 0; i < bird.count; ++i) hold(places, i);
+    for (const frame of target?.moves ? [0, times.length >> 1, times.length - 1] : [0])
+      if (target) {
+        const now = target.positions(frame, new Float32Array(target.row));
+        this.standing(frame, (corners) => corners.forEach((i) => hold(now, i)));
+      }
     const half = low.map((x, k) => (high[k] - x) / 2 + this.data.bird.spacing);
     const centre = [0, 1, 2].map((j) => axes.reduce((sum, axis, k) => sum + (axis[j] * (low[k] + high[k])) / 2, 0));
     const size = Math.hypot(...half);
