@@ -460,6 +460,7 @@ def chart(file, title, y_title, lines):
     columns = [("time[s]", "time", 1e3)] + [(column, label, factor) for column, factor, label, _ in lines]
     source = pv.ProgrammableSource(registrationName=title, OutputDataSetType="vtkTable")
     source.Script = SCRIPT.format(file=file, columns=columns)
+    pv.SetActiveSource(None)  # else ParaView's panel of it sets the lines that are shown
     view = pv.CreateView("XYChartView")
     view.ChartTitle = title
     view.ChartTitleFontSize = 16
@@ -586,6 +587,8 @@ def main():
     if not paraview.fromGUI:
         layout.SetSize(width, height)
 
+    pv.SetActiveView(side)
+    pv.SetActiveSource(bird.source)
     if not paraview.fromGUI:
         for plot in plots:  # with samples, software rendering smears the far side of each text over its near side
             plot.SMProxy.GetClientSideObject().GetRenderWindow().SetMultiSamples(0)
