@@ -30,6 +30,7 @@ MAP = ["440154", "472d7b", "3b528b", "2c728e", "21918c", "28ae80", "5ec962", "ad
 LINES = ["0072b2", "d55e00", "009e73", "e69f00", "cc79a7", "56b4e9"]
 BALL = 0.62  # radius of a ball of a particle's volume, in spacings
 DARK = [0.15, 0.15, 0.15]
+scale = 1  # of texts: 1 for a picture 1080 pixels high
 
 
 def rgb(code):
@@ -41,6 +42,11 @@ def part_colour(name, number):
         if role in name:
             return rgb(code)
     return rgb(OTHER_COLOURS[number % len(OTHER_COLOURS)])
+
+
+def points(size):
+    size = int(scale * size + 0.5)
+    return size if size > 6 else 6  # max may be numpy's here, see main
 
 
 def fail(text):
@@ -248,9 +254,9 @@ def show_bar(lut, view, title, display, visible):
     bar.Title = title
     bar.ComponentTitle = ""
     bar.TitleColor = bar.LabelColor = DARK
-    bar.TitleFontSize, bar.LabelFontSize = 16, 14
+    bar.TitleFontSize, bar.LabelFontSize = points(16), points(14)
     bar.HorizontalTitle = 1
-    bar.ScalarBarThickness = 18
+    bar.ScalarBarThickness = points(18)
     bar.ScalarBarLength = 0.4
     bar.TextPosition = "Ticks right/top, annotations left/bottom" if title else "Ticks left/bottom, annotations right/top"
     if title:
@@ -378,7 +384,7 @@ def render_view(title, reader, time):
 
 def style(text, size, place):
     text.Color = DARK
-    text.FontSize = size
+    text.FontSize = points(size)
     text.WindowLocation = place
     text.FontFamily = "Arial"
 
@@ -455,6 +461,42 @@ for source, title, factor in {columns!r}:
 """
 
 
+NOW_STEPS = """
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
+information = self.GetOutputInformation(0)
+times = {times!r}
+information.Set(Pipeline.TIME_STEPS(), times, len(times))
+information.Set(Pipeline.TIME_RANGE(), [times[0], times[-1]], 2)
+"""
+NOW = """
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
+information = self.GetOutputInformation(0)
+now = information.Get(Pipeline.UPDATE_TIME_STEP()) if information.Has(Pipeline.UPDATE_TIME_STEP()) else {first!r}
+for name, values in (("time", [1e3 * now, 1e3 * now]), ("now", {ends!r})):
+    array = vtkDoubleArray()
+    array.SetName(name)
+    for value in values:
+        array.InsertNextValue(value)
+    self.GetOutput().GetRowData().AddArray(array)
+"""
+
+
+def mark_time(view, times, lowest, highest):
+    """A vertical line at the time that the other views show."""
+    source = pv.ProgrammableSource(registrationName="now", OutputDataSetType="vtkTable")
+    source.ScriptRequestInformation = NOW_STEPS.format(times=times)
+    source.Script = NOW.format(first=times[0], ends=[lowest, highest])
+    pv.SetActiveSource(None)
+    display = pv.Show(source, view)
+    display.UseIndexForXAxis = 0
+    display.XArrayName = "time"
+    display.SeriesVisibility = ["now"]
+    display.SeriesLabel = ["now", "now"]
+    display.SeriesColor = ["now", "0.5", "0.5", "0.5"]
+    display.SeriesLineStyle = ["now", "2"]
+
+
 def chart(file, title, y_title, lines):
     """A line chart; lines are (column, factor, label, colour)."""
     columns = [("time[s]", "time", 1e3)] + [(column, label, factor) for column, factor, label, _ in lines]
@@ -463,14 +505,14 @@ def chart(file, title, y_title, lines):
     pv.SetActiveSource(None)  # else ParaView's panel of it sets the lines that are shown
     view = pv.CreateView("XYChartView")
     view.ChartTitle = title
-    view.ChartTitleFontSize = 16
+    view.ChartTitleFontSize = points(16)
     view.ChartTitleBold = 0
     view.LeftAxisTitle, view.BottomAxisTitle = y_title, "time [ms]"
     for axis in ("Left", "Bottom"):
-        setattr(view, axis + "AxisTitleFontSize", 15)
+        setattr(view, axis + "AxisTitleFontSize", points(15))
         setattr(view, axis + "AxisTitleBold", 0)
-        setattr(view, axis + "AxisLabelFontSize", 13)
-    view.LegendFontSize = 13
+        setattr(view, axis + "AxisLabelFontSize", points(13))
+    view.LegendFontSize = points(13)
     view.LegendLocation = "TopRight"
     view.ShowLegend = 1 if len(lines) > 1 else 0
     display = pv.Show(source, view)
@@ -496,22 +538,31 @@ def pressure_lines(histories, names):
     return lines
 
 
-def charts(folder, histories, names):
+def charts(folder, histories, names, times):
     file = os.path.join(folder, "histories.csv")
-    made = []
+    wanted = []  # title, title of y, lines
     lines = pressure_lines(histories, names)
     if lines:
-        made.append(chart(file, "Largest pressure of each part", "pressure [MPa]", lines))
+        wanted.append(("Largest pressure of each part", "pressure [MPa]", lines))
     moves = [c for c in histories if c == "max_deflection[m]" or c.startswith("deflection_")]
     moves = [c for c in moves if any(v != 0 for v in histories[c])]
     if moves:
-        made.append(chart(file, "Deflection of the target", "deflection [mm]",
-                          [(c, 1e3, c.split("[")[0].replace("max_deflection", "largest").replace("deflection_", ""),
-                            rgb(LINES[k % len(LINES)])) for k, c in enumerate(moves)]))
+        wanted.append(("Deflection of the target", "deflection [mm]",
+                       [(c, 1e3, c.split("[")[0].replace("max_deflection", "largest").replace("deflection_", ""),
+                         rgb(LINES[k % len(LINES)])) for k, c in enumerate(moves)]))
     if "contact_force_x[N]" in histories:
-        made.append(chart(file, "Contact force along the flight", "force [kN]",
-                          [("contact_force_x[N]", 1e-3, "force", rgb(LINES[0]))]))
-    return made[:3]
+        wanted.append(("Contact force along the flight", "force [kN]",
+                       [("contact_force_x[N]", 1e-3, "force", rgb(LINES[0]))]))
+    ends = []
+    for _, _, lines in wanted:
+        values = [factor * v for column, factor, _, _ in lines for v in histories[column] if math.isfinite(v)]
+        ends.append((min([0.0] + values), max([0.0] + values)))
+    made = []
+    for (title, y_title, lines), (lowest, highest) in zip(wanted, ends):
+        view = chart(file, title, y_title, lines)
+        mark_time(view, times, lowest, highest)
+        made.append(view)
+    return made
 
 
 def side_by_side(layout, place, views):
@@ -532,6 +583,8 @@ def main():
         width, height = (int(x) for x in args.size.split("x"))
     except ValueError:
         fail(f"--size {args.size}: it must look like 1920x1080")
+    global scale
+    scale = 1 if paraview.fromGUI else min(width / 1920, height / 1080)
     if args.plugin:
         pv.LoadPlugin(os.path.abspath(args.plugin), remote=False, ns=vars(pv))
     reader, folder = open_run(args.run)
@@ -577,7 +630,7 @@ def main():
             area = target.bounds()
         look(front, area, [1, 0, 0], [0, 0, 1], aspect, 1.25)
 
-    plots = charts(folder, histories, names)  # nothing is computed after this
+    plots = charts(folder, histories, names, times)  # nothing is computed after this
     layout = pv.CreateLayout(name="BirdStrike")
     top = 0
     if plots:
