@@ -68,6 +68,8 @@ def options():
     parser.add_argument("--target", default="", help="array of the target: contact_pressure (default of a rigid one), "
                         "displacement (default of the others), plastic_strain ...")
     parser.add_argument("--skin", action="store_true", help="the bird's skin in place of balls; needs the plugin")
+    parser.add_argument("--organs", action="store_true", help="a skin for each part, see-through but for bones and lungs; "
+                        "needs the plugin")
     parser.add_argument("--whole", action="store_true", help="the whole bird; otherwise only the half behind its middle is "
                         "shown where it is coloured by numbers, since the pressure at a free surface is zero")
     parser.add_argument("--plugin", default="", help="BirdStrike.so to load first, see share/paraview/build-plugin")
@@ -174,6 +176,15 @@ class Piece:
 
     def bounds(self):
         return self.source.GetDataInformation().GetBounds()
+
+    def most(self):
+        """Bounds without the few points that have flown far."""
+        clouds = [vtk_to_numpy(leaf.GetPoints().GetData()) for leaf in leaves(servermanager.Fetch(self.source))
+                  if leaf.GetNumberOfPoints() > 0]
+        if not clouds:
+            return self.bounds()
+        ends = numpy.nanquantile(numpy.concatenate(clouds), [0.01, 0.99], axis=0)
+        return common(self.bounds(), grown(ends.T.ravel().tolist(), 0.25))
 
 
 def pieces(reader, time):
@@ -309,20 +320,25 @@ def show_bird(bird, view, args, names, times):
         item = pv.Clip(registrationName="cut", Input=item, ClipType="Plane", Invert=0)
         item.ClipType.Origin, item.ClipType.Normal = [0, middle, 0], [0, 1, 0]
         item.UpdatePipeline(times[0])
-    if args.skin:
+    skin = args.skin or args.organs
+    if skin:
         make = getattr(pv, "BirdSurface", None)
         if make is None:
             fail("the skin needs the plugin: share/paraview/build-plugin builds it, --plugin names it")
         item = make(registrationName="skin", Input=item)
+        item.SMProxy.GetProperty("SurfacePerPart").SetElement(0, 1 if args.organs else 0)
+        item.SMProxy.UpdateVTKObjects()
         item.UpdatePipeline(times[0])
     display = pv.Show(item, view)
-    if args.skin:
+    if skin:
         display.Representation = "Surface"
         display.Specular = 0.2
     else:
         display.Representation = "Point Gaussian"
         display.ShaderPreset = "Sphere"
         display.GaussianRadius = BALL * bird.field("spacing", guessed_spacing(bird))
+    if args.organs:
+        see_through(display, item, view)
     if args.colour == "part" and bird.find("part") and names:
         colour_by_parts(display, view, names)
     elif args.colour != "part":
@@ -331,6 +347,18 @@ def show_bird(bird, view, args, names, times):
     else:
         display.ColorArrayName = ["POINTS", ""]
         display.DiffuseColor = display.AmbientColor = part_colour("body", 0)
+
+
+def see_through(display, skin, view):
+    """Of the blocks of a skin all but the inner parts."""
+    blocks = skin.GetDataInformation().GetHierarchy()
+    for node in blocks.GetChildNodes(blocks.GetRootNode(), False):
+        name = blocks.GetAttributeOrDefault(node, "label", blocks.GetNodeName(node))
+        if not any(role in name for role in ("bone", "spine", "rib", "lung")):
+            display.BlockOpacities = list(display.BlockOpacities) + ["/Root/" + blocks.GetNodeName(node), "0.25"]
+    if not paraview.fromGUI:  # with samples, software rendering shows nothing see-through
+        view.SMProxy.GetClientSideObject().GetRenderWindow().SetMultiSamples(0)
+        view.UseFXAA = 1
 
 
 def guessed_spacing(bird):
@@ -598,9 +626,9 @@ def main():
             time_of_interest(times, histories, 0.8 if bends else 0.5))
     names = part_names(bird) if bird.find("part") else []
 
-    start = bird.bounds()
+    start = bird.most()
     bird.source.UpdatePipeline(time)
-    shown = bird.bounds()
+    shown = bird.most()
     if paraview.fromGUI or args.film:
         shown = union(start, shown)  # room for all that comes
     scene = pv.GetAnimationScene()
