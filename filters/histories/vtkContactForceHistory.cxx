@@ -54,6 +54,8 @@ std::string PartName(vtkDataSet* data, double number)
 
 } // namespace
 
+vtkContactForceHistory::vtkContactForceHistory() { this->SetNumberOfOutputPorts(2); }
+
 void vtkContactForceHistory::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -241,21 +243,16 @@ bool vtkContactForceHistory::FillTable(vtkTable* table)
     return values;
   };
   const auto times = column([](const Row& row) { return row.Time; });
-  AddColumn(table, "time[s]", times);
+  this->AddTimes(table, times);
   for (std::size_t k = 0; k < 3; ++k)
     AddColumn(table, std::string("contact_force_") + Axes[k] + "[N]",
               column([k](const Row& row) { return row.Force[k]; }));
   AddColumn(table, "contact_force[N]", column([](const Row& row) { return Length(row.Force); }));
   this->FillImpulse(table);
-  AddColumn(table, "area[m2]", column([](const Row& row) { return row.Area; }));
-  const auto pressure = column([](const Row& row) { return row.Area > 0 ? row.Pressed / row.Area : None; });
-  AddColumn(table, "mean_pressure[Pa]", pressure);
-  if (this->RiseTime > 0) {
+  if (this->RiseTime > 0)
     for (std::size_t k = 0; k < 3; ++k)
       AddColumn(table, std::string("contact_force_") + Axes[k] + "_filtered[N]",
                 LowPass(times, column([k](const Row& row) { return row.Force[k]; }), this->RiseTime));
-    AddColumn(table, "mean_pressure_filtered[Pa]", LowPass(times, pressure, this->RiseTime));
-  }
   for (const std::string& part : this->Parts) {
     const auto of = [&part](const Row& row) {
       const auto place = row.Parts.find(part);
@@ -268,6 +265,21 @@ bool vtkContactForceHistory::FillTable(vtkTable* table)
               column([&of](const Row& row) { return Length(of(row)); }));
   }
   return true;
+}
+
+void vtkContactForceHistory::FillSecondTable(vtkTable* table)
+{
+  std::vector<double> times, pressures, areas;
+  for (const Row& row : this->Rows) {
+    times.push_back(row.Time);
+    areas.push_back(row.Area);
+    pressures.push_back(row.Area > 0 ? row.Pressed / row.Area : None);
+  }
+  this->AddTimes(table, times);
+  AddColumn(table, "mean_pressure[Pa]", pressures);
+  if (this->RiseTime > 0)
+    AddColumn(table, "mean_pressure_filtered[Pa]", LowPass(times, pressures, this->RiseTime));
+  AddColumn(table, "area[m2]", areas);
 }
 
 void vtkContactForceHistory::FillImpulse(vtkTable* table) const

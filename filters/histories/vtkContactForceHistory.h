@@ -13,22 +13,25 @@
  * A region (vtkRegionTableAlgorithm) takes hold of the target where it is at the first time step that is read, and goes
  * with it: a cell on the border counts by its share inside, a point wholly or not at all.
  *
- * Output: vtkTable, a row per time step:
+ * Output 0, "History": vtkTable, a row per time step:
  * - "time[s]"; "contact_force_x[N]", "..._y...", "..._z...", the sum, and "contact_force[N]", its length.
  * - "impulse_x[N s]", "..._y...", "..._z...", "impulse[N s]": since the first time step. From ImpulseArrayName where all
  *   leaves have it, and then exact whatever the time between frames; else the force's integral by the trapezoidal rule,
  *   which is as good as the frames are dense.
- * - "area[m2]": of the region's flat cells, without those that have gone. "mean_pressure[Pa]": mean of PressureArrayName
- *   over that area; without such an array the sum of the forces' parts across their cells (of points: the length of
- *   the whole force) over the area. NaN without an area.
- * - with a RiseTime, "contact_force_x_filtered[N]", "..._y...", "..._z...", "mean_pressure_filtered[Pa]": behind the single
- *   pole of the virtual transducers, with that 10 to 90 % rise time, at rest at the first time step.
+ * - with a RiseTime "contact_force_x_filtered[N]", "..._y...", "..._z...": behind the single pole of the virtual
+ *   transducers, with that 10 to 90 % rise time, at rest at the first time step.
  * - with PerPart for each part "contact_force_x_<name>[N]", "..._y...", "..._z...", "contact_force_<name>[N]".
+ *
+ * Output 1, "Transducer": vtkTable, a row per time step: "time[s]"; "mean_pressure[Pa]", the mean of PressureArrayName over
+ * the region; without such an array the sum of the forces' parts across their cells (of points: the length of the whole
+ * force) over the area; with a RiseTime "mean_pressure_filtered[Pa]"; "area[m2]" of the region's flat cells, without those
+ * that have gone. No pressure, NaN, without an area.
+ *
  * NaN where there is no target at that time.
  *
  * If the number of cells or points changes from one step to another a warning says so, and the region takes hold anew.
  *
- * Error: vtkErrorMacro and an empty table when no leaf at any time has the force, it is no vector or too short, or a
+ * Error: vtkErrorMacro and empty tables when no leaf at any time has the force, it is no vector or too short, or a
  * property is out of its range.
  */
 #pragma once
@@ -86,12 +89,13 @@ public:
   ///@}
 
 protected:
-  vtkContactForceHistory() = default;
+  vtkContactForceHistory();
   ~vtkContactForceHistory() override = default;
 
   void Clear() override;
   bool AddTimeStep(double time, const std::vector<vtkDataSet*>& leaves) override;
   bool FillTable(vtkTable* table) override;
+  void FillSecondTable(vtkTable* table) override;
 
 private:
   vtkContactForceHistory(const vtkContactForceHistory&) = delete;

@@ -159,7 +159,7 @@ bool vtkMaximumPressureHistory::FillTable(vtkTable* table)
     for (std::size_t k = 0; k < 3; ++k)
       places[k].push_back(maximum.Place[k]);
   }
-  AddColumn(table, "time[s]", this->RowTimes);
+  this->AddTimes(table, this->RowTimes);
   AddColumn(table, "max_pressure_all[Pa]", all);
   for (const Column& part : this->Parts)
     AddColumn(table, "max_pressure_" + part.Name + "[Pa]", part.Maxima);

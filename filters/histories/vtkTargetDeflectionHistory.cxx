@@ -56,6 +56,8 @@ void vtkTargetDeflectionHistory::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LineEnd: " << this->LineEnd[0] << ", " << this->LineEnd[1] << ", " << this->LineEnd[2]
      << "\n";
   os << indent << "LinePoints: " << this->LinePoints << "\n";
+  os << indent << "DistanceColumnName: " << this->DistanceColumnName << "\n";
+  os << indent << "Details: " << this->Details << "\n";
   os << indent << "IgnoreErodedCells: " << this->IgnoreErodedCells << "\n";
   os << indent << "ErodedArrayName: " << this->ErodedArrayName << "\n";
 }
@@ -277,12 +279,14 @@ bool vtkTargetDeflectionHistory::FillTable(vtkTable* table)
                   << " time steps; set DisplacementArrayName to the array that holds the displacement.");
     return false;
   }
-  AddColumn(table, "time[s]", this->RowTimes);
+  this->AddTimes(table, this->RowTimes);
   AddColumn(table, "max_deflection[m]", this->Deflection);
-  AddColumn(table, "x[m]", this->X);
-  AddColumn(table, "y[m]", this->Y);
-  AddColumn(table, "z[m]", this->Z);
-  AddIdColumn(table, "point", this->Point);
+  if (this->Details) {
+    AddColumn(table, "x[m]", this->X);
+    AddColumn(table, "y[m]", this->Y);
+    AddColumn(table, "z[m]", this->Z);
+    AddIdColumn(table, "point", this->Point);
+  }
   if (Length(this->Unit) > 0)
     AddColumn(table, "max_deflection_along[m]", this->MaxAlong);
   this->FillSet(table);
@@ -314,10 +318,12 @@ void vtkTargetDeflectionHistory::FillSet(vtkTable* table) const
     place = this->Now.Place[i];
   }
   constant("permanent_set[m]", set);
-  for (std::size_t k = 0; k < 3; ++k)
+  for (std::size_t k = 0; this->Details && k < 3; ++k)
     constant(std::string(Axes[k]) + "_of_permanent_set[m]", place[k]);
   if (Length(this->Unit) > 0)
     constant("permanent_set_along[m]", along);
+  if (!this->Details)
+    return;
   constant("residual_amplitude[m]", amplitude);
   constant("max_residual_amplitude[m]", largestAmplitude);
 }
@@ -337,11 +343,13 @@ void vtkTargetDeflectionHistory::FillChosen(vtkTable* table) const
       AddColumn(table, title + at + "[m]", std::vector<double>(rows, value));
     };
     history("deflection", Length);
-    for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t k = 0; this->Details && k < 3; ++k)
       history(std::string("deflection_") + Axes[k], [k](const Vector& u) { return u[k]; });
     if (Length(this->Unit) > 0)
       history("deflection_along", [this](const Vector& u) { return this->Along(u); });
 
+    if (!this->Details)
+      continue;
     const bool known = !std::isnan(point.Distance);
     AddIdColumn(table, "mesh_point" + at, std::vector<vtkIdType>(rows, point.Row));
     constant("distance", point.Distance);
@@ -365,7 +373,7 @@ void vtkTargetDeflectionHistory::FillSecondTable(vtkTable* table)
       values.push_back(value(sample));
     AddColumn(table, title, values);
   };
-  column("distance[m]", [](const LineOnTarget::Sample& sample) { return sample.Along; });
+  column(this->DistanceColumnName, [](const LineOnTarget::Sample& sample) { return sample.Along; });
   for (std::size_t k = 0; k < 3; ++k)
     column(std::string(Axes[k]) + "[m]", [k](const LineOnTarget::Sample& sample) { return sample.Place[k]; });
   column("off_target[m]", [](const LineOnTarget::Sample& sample) { return sample.Off; });

@@ -113,6 +113,19 @@ public:
   vtkGetMacro(LinePoints, int);
   ///@}
 
+  ///@{ Title of the first column of the second output. Default "distance[m]"; the charts of ParaView look for
+  /// "arc_length".
+  vtkSetStdStringFromCharMacro(DistanceColumnName);
+  vtkGetCharFromStdStringMacro(DistanceColumnName);
+  ///@}
+
+  ///@{ Whether the first output has more than what one plots: time, largest deflection, deflection at the chosen points
+  /// and permanent set, and those along the Direction. Default on.
+  vtkSetMacro(Details, bool);
+  vtkGetMacro(Details, bool);
+  vtkBooleanMacro(Details, bool);
+  ///@}
+
   ///@{ Whether points that only belong to hidden cells are skipped. Default on.
   vtkSetMacro(IgnoreErodedCells, bool);
   vtkGetMacro(IgnoreErodedCells, bool);
@@ -173,6 +186,8 @@ private:
   double LineStart[3] = {0, -0.1, 0};
   double LineEnd[3] = {0, 0.1, 0};
   int LinePoints = 51;
+  std::string DistanceColumnName = "distance[m]";
+  bool Details = true;
   bool IgnoreErodedCells = true;
   std::string ErodedArrayName = "eroded";
 

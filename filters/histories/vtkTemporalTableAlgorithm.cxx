@@ -58,6 +58,7 @@ void vtkTemporalTableAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LimitTime: " << this->LimitTime << "\n";
   os << indent << "StartTime: " << this->StartTime << "\n";
   os << indent << "EndTime: " << this->EndTime << "\n";
+  os << indent << "TimeColumnName: " << this->TimeColumnName << "\n";
   os << indent << "Time steps: " << this->Times.size() << "\n";
   os << indent << "Step: " << this->Step << "\n";
 }

@@ -39,6 +39,11 @@ public:
   vtkGetMacro(EndTime, double);
   ///@}
 
+  ///@{ Title of the first column, the time [s]. Default "time[s]"; the charts of ParaView look for "Time".
+  vtkSetStdStringFromCharMacro(TimeColumnName);
+  vtkGetCharFromStdStringMacro(TimeColumnName);
+  ///@}
+
 protected:
   vtkTemporalTableAlgorithm() = default;
   ~vtkTemporalTableAlgorithm() override = default;
@@ -57,6 +62,11 @@ protected:
   const std::vector<double>& GetTimes() const { return this->Times; }
   std::size_t GetStep() const { return this->Step; }
 
+  //! Append the column of times.
+  void AddTimes(vtkTable* table, const std::vector<double>& times) const
+  {
+    AddColumn(table, this->TimeColumnName, times);
+  }
   //! Append a column of doubles, or of whole numbers, to a table.
   static void AddColumn(vtkTable* table, const std::string& title, const std::vector<double>& values);
   static void AddIdColumn(vtkTable* table, const std::string& title, const std::vector<vtkIdType>& values);
@@ -73,6 +83,8 @@ private:
   bool LimitTime = false;
   double StartTime = 0;
   double EndTime = 1;
+
+  std::string TimeColumnName = "time[s]";
 
   std::vector<double> Times; // those of the input's TIME_STEPS that are read; empty if it has none
   std::string NoTimes;       // why none is read of an input that has some; else empty

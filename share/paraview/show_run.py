@@ -30,6 +30,7 @@ MAP = ["440154", "472d7b", "3b528b", "2c728e", "21918c", "28ae80", "5ec962", "ad
 LINES = ["0072b2", "d55e00", "009e73", "e69f00", "cc79a7", "56b4e9"]
 BALL = 0.62  # radius of a ball of a particle's volume, in spacings
 DARK = [0.15, 0.15, 0.15]
+scale = 1  # of texts: 1 for a picture 1080 pixels high
 
 
 def rgb(code):
@@ -41,6 +42,11 @@ def part_colour(name, number):
         if role in name:
             return rgb(code)
     return rgb(OTHER_COLOURS[number % len(OTHER_COLOURS)])
+
+
+def points(size):
+    size = int(scale * size + 0.5)
+    return size if size > 6 else 6  # max may be numpy's here, see main
 
 
 def fail(text):
@@ -62,6 +68,8 @@ def options():
     parser.add_argument("--target", default="", help="array of the target: contact_pressure (default of a rigid one), "
                         "displacement (default of the others), plastic_strain ...")
     parser.add_argument("--skin", action="store_true", help="the bird's skin in place of balls; needs the plugin")
+    parser.add_argument("--organs", action="store_true", help="a skin for each part, see-through but for bones and lungs; "
+                        "needs the plugin")
     parser.add_argument("--whole", action="store_true", help="the whole bird; otherwise only the half behind its middle is "
                         "shown where it is coloured by numbers, since the pressure at a free surface is zero")
     parser.add_argument("--plugin", default="", help="BirdStrike.so to load first, see share/paraview/build-plugin")
@@ -169,6 +177,15 @@ class Piece:
     def bounds(self):
         return self.source.GetDataInformation().GetBounds()
 
+    def most(self):
+        """Bounds without the few points that have flown far."""
+        clouds = [vtk_to_numpy(leaf.GetPoints().GetData()) for leaf in leaves(servermanager.Fetch(self.source))
+                  if leaf.GetNumberOfPoints() > 0]
+        if not clouds:
+            return self.bounds()
+        ends = numpy.nanquantile(numpy.concatenate(clouds), [0.01, 0.99], axis=0)
+        return common(self.bounds(), grown(ends.T.ravel().tolist(), 0.25))
+
 
 def pieces(reader, time):
     """Bird and target; the target may be None."""
@@ -248,9 +265,9 @@ def show_bar(lut, view, title, display, visible):
     bar.Title = title
     bar.ComponentTitle = ""
     bar.TitleColor = bar.LabelColor = DARK
-    bar.TitleFontSize, bar.LabelFontSize = 16, 14
+    bar.TitleFontSize, bar.LabelFontSize = points(16), points(14)
     bar.HorizontalTitle = 1
-    bar.ScalarBarThickness = 18
+    bar.ScalarBarThickness = points(18)
     bar.ScalarBarLength = 0.4
     bar.TextPosition = "Ticks right/top, annotations left/bottom" if title else "Ticks left/bottom, annotations right/top"
     if title:
@@ -303,20 +320,25 @@ def show_bird(bird, view, args, names, times):
         item = pv.Clip(registrationName="cut", Input=item, ClipType="Plane", Invert=0)
         item.ClipType.Origin, item.ClipType.Normal = [0, middle, 0], [0, 1, 0]
         item.UpdatePipeline(times[0])
-    if args.skin:
+    skin = args.skin or args.organs
+    if skin:
         make = getattr(pv, "BirdSurface", None)
         if make is None:
             fail("the skin needs the plugin: share/paraview/build-plugin builds it, --plugin names it")
         item = make(registrationName="skin", Input=item)
+        item.SMProxy.GetProperty("SurfacePerPart").SetElement(0, 1 if args.organs else 0)
+        item.SMProxy.UpdateVTKObjects()
         item.UpdatePipeline(times[0])
     display = pv.Show(item, view)
-    if args.skin:
+    if skin:
         display.Representation = "Surface"
         display.Specular = 0.2
     else:
         display.Representation = "Point Gaussian"
         display.ShaderPreset = "Sphere"
         display.GaussianRadius = BALL * bird.field("spacing", guessed_spacing(bird))
+    if args.organs:
+        see_through(display, item, view)
     if args.colour == "part" and bird.find("part") and names:
         colour_by_parts(display, view, names)
     elif args.colour != "part":
@@ -325,6 +347,18 @@ def show_bird(bird, view, args, names, times):
     else:
         display.ColorArrayName = ["POINTS", ""]
         display.DiffuseColor = display.AmbientColor = part_colour("body", 0)
+
+
+def see_through(display, skin, view):
+    """Of the blocks of a skin all but the inner parts."""
+    blocks = skin.GetDataInformation().GetHierarchy()
+    for node in blocks.GetChildNodes(blocks.GetRootNode(), False):
+        name = blocks.GetAttributeOrDefault(node, "label", blocks.GetNodeName(node))
+        if not any(role in name for role in ("bone", "spine", "rib", "lung")):
+            display.BlockOpacities = list(display.BlockOpacities) + ["/Root/" + blocks.GetNodeName(node), "0.25"]
+    if not paraview.fromGUI:  # with samples, software rendering shows nothing see-through
+        view.SMProxy.GetClientSideObject().GetRenderWindow().SetMultiSamples(0)
+        view.UseFXAA = 1
 
 
 def guessed_spacing(bird):
@@ -378,7 +412,7 @@ def render_view(title, reader, time):
 
 def style(text, size, place):
     text.Color = DARK
-    text.FontSize = size
+    text.FontSize = points(size)
     text.WindowLocation = place
     text.FontFamily = "Arial"
 
@@ -455,21 +489,58 @@ for source, title, factor in {columns!r}:
 """
 
 
+NOW_STEPS = """
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
+information = self.GetOutputInformation(0)
+times = {times!r}
+information.Set(Pipeline.TIME_STEPS(), times, len(times))
+information.Set(Pipeline.TIME_RANGE(), [times[0], times[-1]], 2)
+"""
+NOW = """
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
+information = self.GetOutputInformation(0)
+now = information.Get(Pipeline.UPDATE_TIME_STEP()) if information.Has(Pipeline.UPDATE_TIME_STEP()) else {first!r}
+for name, values in (("time", [1e3 * now, 1e3 * now]), ("now", {ends!r})):
+    array = vtkDoubleArray()
+    array.SetName(name)
+    for value in values:
+        array.InsertNextValue(value)
+    self.GetOutput().GetRowData().AddArray(array)
+"""
+
+
+def mark_time(view, times, lowest, highest):
+    """A vertical line at the time that the other views show."""
+    source = pv.ProgrammableSource(registrationName="now", OutputDataSetType="vtkTable")
+    source.ScriptRequestInformation = NOW_STEPS.format(times=times)
+    source.Script = NOW.format(first=times[0], ends=[lowest, highest])
+    pv.SetActiveSource(None)
+    display = pv.Show(source, view)
+    display.UseIndexForXAxis = 0
+    display.XArrayName = "time"
+    display.SeriesVisibility = ["now"]
+    display.SeriesLabel = ["now", "now"]
+    display.SeriesColor = ["now", "0.5", "0.5", "0.5"]
+    display.SeriesLineStyle = ["now", "2"]
+
+
 def chart(file, title, y_title, lines):
     """A line chart; lines are (column, factor, label, colour)."""
     columns = [("time[s]", "time", 1e3)] + [(column, label, factor) for column, factor, label, _ in lines]
     source = pv.ProgrammableSource(registrationName=title, OutputDataSetType="vtkTable")
     source.Script = SCRIPT.format(file=file, columns=columns)
+    pv.SetActiveSource(None)  # else ParaView's panel of it sets the lines that are shown
     view = pv.CreateView("XYChartView")
     view.ChartTitle = title
-    view.ChartTitleFontSize = 16
+    view.ChartTitleFontSize = points(16)
     view.ChartTitleBold = 0
     view.LeftAxisTitle, view.BottomAxisTitle = y_title, "time [ms]"
     for axis in ("Left", "Bottom"):
-        setattr(view, axis + "AxisTitleFontSize", 15)
+        setattr(view, axis + "AxisTitleFontSize", points(15))
         setattr(view, axis + "AxisTitleBold", 0)
-        setattr(view, axis + "AxisLabelFontSize", 13)
-    view.LegendFontSize = 13
+        setattr(view, axis + "AxisLabelFontSize", points(13))
+    view.LegendFontSize = points(13)
     view.LegendLocation = "TopRight"
     view.ShowLegend = 1 if len(lines) > 1 else 0
     display = pv.Show(source, view)
@@ -495,22 +566,31 @@ def pressure_lines(histories, names):
     return lines
 
 
-def charts(folder, histories, names):
+def charts(folder, histories, names, times):
     file = os.path.join(folder, "histories.csv")
-    made = []
+    wanted = []  # title, title of y, lines
     lines = pressure_lines(histories, names)
     if lines:
-        made.append(chart(file, "Largest pressure of each part", "pressure [MPa]", lines))
+        wanted.append(("Largest pressure of each part", "pressure [MPa]", lines))
     moves = [c for c in histories if c == "max_deflection[m]" or c.startswith("deflection_")]
     moves = [c for c in moves if any(v != 0 for v in histories[c])]
     if moves:
-        made.append(chart(file, "Deflection of the target", "deflection [mm]",
-                          [(c, 1e3, c.split("[")[0].replace("max_deflection", "largest").replace("deflection_", ""),
-                            rgb(LINES[k % len(LINES)])) for k, c in enumerate(moves)]))
+        wanted.append(("Deflection of the target", "deflection [mm]",
+                       [(c, 1e3, c.split("[")[0].replace("max_deflection", "largest").replace("deflection_", ""),
+                         rgb(LINES[k % len(LINES)])) for k, c in enumerate(moves)]))
     if "contact_force_x[N]" in histories:
-        made.append(chart(file, "Contact force along the flight", "force [kN]",
-                          [("contact_force_x[N]", 1e-3, "force", rgb(LINES[0]))]))
-    return made[:3]
+        wanted.append(("Contact force along the flight", "force [kN]",
+                       [("contact_force_x[N]", 1e-3, "force", rgb(LINES[0]))]))
+    ends = []
+    for _, _, lines in wanted:
+        values = [factor * v for column, factor, _, _ in lines for v in histories[column] if math.isfinite(v)]
+        ends.append((min([0.0] + values), max([0.0] + values)))
+    made = []
+    for (title, y_title, lines), (lowest, highest) in zip(wanted, ends):
+        view = chart(file, title, y_title, lines)
+        mark_time(view, times, lowest, highest)
+        made.append(view)
+    return made
 
 
 def side_by_side(layout, place, views):
@@ -531,6 +611,8 @@ def main():
         width, height = (int(x) for x in args.size.split("x"))
     except ValueError:
         fail(f"--size {args.size}: it must look like 1920x1080")
+    global scale
+    scale = 1 if paraview.fromGUI else min(width / 1920, height / 1080)
     if args.plugin:
         pv.LoadPlugin(os.path.abspath(args.plugin), remote=False, ns=vars(pv))
     reader, folder = open_run(args.run)
@@ -544,9 +626,9 @@ def main():
             time_of_interest(times, histories, 0.8 if bends else 0.5))
     names = part_names(bird) if bird.find("part") else []
 
-    start = bird.bounds()
+    start = bird.most()
     bird.source.UpdatePipeline(time)
-    shown = bird.bounds()
+    shown = bird.most()
     if paraview.fromGUI or args.film:
         shown = union(start, shown)  # room for all that comes
     scene = pv.GetAnimationScene()
@@ -576,7 +658,7 @@ def main():
             area = target.bounds()
         look(front, area, [1, 0, 0], [0, 0, 1], aspect, 1.25)
 
-    plots = charts(folder, histories, names)  # nothing is computed after this
+    plots = charts(folder, histories, names, times)  # nothing is computed after this
     layout = pv.CreateLayout(name="BirdStrike")
     top = 0
     if plots:
@@ -586,6 +668,8 @@ def main():
     if not paraview.fromGUI:
         layout.SetSize(width, height)
 
+    pv.SetActiveView(side)
+    pv.SetActiveSource(bird.source)
     if not paraview.fromGUI:
         for plot in plots:  # with samples, software rendering smears the far side of each text over its near side
             plot.SMProxy.GetClientSideObject().GetRenderWindow().SetMultiSamples(0)
