@@ -37,8 +37,8 @@ std::string stem_of(const std::string& scene, const RenderOptions& options)
 std::string fault_on(vtkImageData& image, const std::array<double, 4>& canvas, const RenderOptions& options)
 {
   PictureCheck check = check_picture(image, canvas, options.look.background);
-  if (options.fit == Fit::bird || options.fit == Fit::target)
-    check.border = 0; // the other one may well be larger than the picture
+  if (options.fit != Fit::all)
+    check.border = 0; // not all of it is meant to be in the picture
   return fault_of(check);
 }
 
