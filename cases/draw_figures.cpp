@@ -131,16 +131,6 @@ SeriesExtent common_extent(const MontageFigure& figure, const FigureRun& run, Se
   return extent_of(frames, steps, figure.look, figure.fit);
 }
 
-//! Panels as wide as what they show needs.
-int panel_width(const MontageFigure& figure, const Bounds& bounds, int height)
-{
-  double aspect = 0;
-  for (const std::string& scene : figure.scenes)
-    aspect = std::max(aspect, width_over_height(bounds, scene_options(scene, figure.look).view));
-  constexpr double narrowest = 0.95, widest = 1.8, caption = 0.87; // of a panel's height that its scene has
-  return static_cast<int>(height * std::clamp(caption * aspect, narrowest, widest));
-}
-
 fs::path draw_figure(const MontageFigure& figure, const FigureRun& run, const fs::path& output, Log& log)
 {
   SeriesFrames frames(run.folder / "run.pvd", true, figure.target);
@@ -157,7 +147,7 @@ fs::path draw_figure(const MontageFigure& figure, const FigureRun& run, const fs
   extent.look.scale_bar = true;
   MontageOptions montage;
   extent.look.height = montage.snapshot.height;
-  extent.look.width = panel_width(figure, extent.bounds, extent.look.height);
+  extent.look.width = panel_width(extent, figure.scenes, extent.look.height);
   const Frame first = frames.get(steps.front());
   extent.look.legend = extent.look.colour_by != "part" || !extent.look.target_field.empty() ||
                        (first.bird && parts_of(*first.bird).size() > 1);
@@ -174,8 +164,8 @@ fs::path draw_figure(const MontageFigure& figure, const FigureRun& run, const fs
   const auto image = draw_montage(shown, extent.bounds, montage, &canvases);
   for (std::size_t k = 0; k < canvases.size(); ++k) {
     PictureCheck check = check_picture(*image, canvases[k], extent.look.background);
-    if (figure.fit == Fit::bird || figure.fit == Fit::target)
-      check.border = 0;
+    if (figure.fit != Fit::all)
+      check.border = 0; // not all of it is meant to be in the picture
     if (const std::string fault = fault_of(check); !fault.empty())
       log.warn(fmt::format("{}, {}): {}", file.string(), static_cast<char>('a' + k), fault));
   }

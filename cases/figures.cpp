@@ -153,6 +153,7 @@ std::vector<fs::path> write_pictures(const fs::path& pvd, const fs::path& folder
     montage.snapshot = options;
     montage.snapshot.width = width;
     montage.snapshot.height = height;
+    montage.snapshot.axes = false;
     files.push_back(folder / fmt::format("{}.png", name));
     write_montage(frames, bounds, montage, files.back());
   }

@@ -37,8 +37,8 @@ std::string stem_of(const std::string& scene, const RenderOptions& options)
 std::string fault_on(vtkImageData& image, const std::array<double, 4>& canvas, const RenderOptions& options)
 {
   PictureCheck check = check_picture(image, canvas, options.look.background);
-  if (options.fit == Fit::bird || options.fit == Fit::target)
-    check.border = 0; // the other one may well be larger than the picture
+  if (options.fit != Fit::all)
+    check.border = 0; // not all of it is meant to be in the picture
   return fault_of(check);
 }
 
@@ -66,12 +66,12 @@ std::vector<fs::path> draw_singles(SeriesFrames& frames, const std::vector<std::
 }
 
 fs::path draw_panels(SeriesFrames& frames, const std::vector<std::size_t>& steps, const SeriesExtent& extent,
-                     const RenderOptions& options, const std::string& stem, Log& log)
+                     const RenderOptions& options, const std::string& scene, Log& log)
 {
   MontageOptions montage;
-  const int width = montage.snapshot.width, height = montage.snapshot.height;
+  const int height = montage.snapshot.height;
   montage.snapshot = extent.look;
-  montage.snapshot.width = width;
+  montage.snapshot.width = panel_width(extent, {scene}, height);
   montage.snapshot.height = height;
   montage.columns = (*options.montage)[0];
   if (options.size) {
@@ -83,7 +83,7 @@ fs::path draw_panels(SeriesFrames& frames, const std::vector<std::size_t>& steps
     shown.push_back(frames.get(step));
   std::vector<std::array<double, 4>> canvases;
   const auto image = draw_montage(shown, extent.bounds, montage, &canvases);
-  const fs::path file = options.folder / (stem + ".png");
+  const fs::path file = options.folder / (stem_of(scene, options) + ".png");
   for (std::size_t k = 0; k < canvases.size(); ++k)
     warn_of_faults(*image, canvases[k], options,
                    fmt::format("{}, {})", file.string(), static_cast<char>('a' + k)), log);
@@ -208,7 +208,7 @@ std::vector<fs::path> render_series(const RenderOptions& options, Log& log)
       for (const fs::path& file : draw_singles(frames, steps, of_scene, options, stem, log))
         files.push_back(file);
     if (options.montage)
-      files.push_back(draw_panels(frames, steps, of_scene, options, stem, log));
+      files.push_back(draw_panels(frames, steps, of_scene, options, scene, log));
   }
   return files;
 }

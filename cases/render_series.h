@@ -47,7 +47,7 @@ struct RenderOptions
   std::optional<std::array<int, 2>> montage; //!< columns and rows
   bool singles = true;                       //!< a file for each picture
   std::optional<std::array<int, 2>>
-      size;                 //!< of every file [pixel]; without it 1280 x 720, montages 800 x 450 a panel
+      size;                 //!< of every file [pixel]; without it 1280 x 720, montages 450 a row
   double dots_per_inch = 0; //!< written into the files; 0: not
   std::optional<FilmOptions> film;
 };

@@ -102,10 +102,12 @@ void Snapshot::State::add_texts(const Frame& frame, const Ranges& ranges)
   }
   if (!options.legend)
     return;
-  if (is_cut(options))
-    page.ground().AddActor2D(make_text(cut_text(options.plane), canvas.width + 0.4 * font,
-                                       options.scale_bar ? 3.2 * font : 0.06 * options.height, font * 8 / 10,
-                                       Anchor::left, ink));
+  if (is_cut(options)) {
+    const std::string text = cut_text(options.plane);
+    page.ground().AddActor2D(
+        make_text(text, canvas.width + 0.4 * font, options.scale_bar ? 3.2 * font : 0.06 * options.height,
+                  fitting_font(font * 8 / 10, legend_width() - 0.8 * font, text.size()), Anchor::left, ink));
+  }
   const double foot = // below the legend, of the height
       options.scale_bar ? std::max(0.16, 4.2 * font / options.height) : 0.12;
   Rectangle place{canvas.width + 0.4 * font, foot * options.height, legend_width() - 0.8 * font,

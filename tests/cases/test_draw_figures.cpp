@@ -83,7 +83,7 @@ TEST_CASE("the dissertation's figures are all there and their cases can be read"
     for (const double time : figure.times) {
       INFO(figure.number << " at " << time);
       CHECK(time >= begin);
-      CHECK(time - begin <= 1.02 * parsed.run.end);
+      CHECK(time - begin <= 1.02 * parsed.run.end_time);
     }
     CHECK(std::is_sorted(figure.times.begin(), figure.times.end()));
   }
@@ -149,5 +149,5 @@ TEST_CASE("files of figures are checked before anything is run", "[cases][figure
   made.refuse("[\"side\", \"side\", \"cut\"]", "\"beneath\"", "no scene \"beneath\"");
   made.refuse("columns = 3", "columns = \"three\"", "columns");
   made.refuse("columns = 3", "rows = 3", "unknown key figure.rows");
-  made.refuse("0 MPa,20 MPa", "0,20", "wrong.toml:16: range");
+  made.refuse("0 MPa,20 MPa", "0,20", "wrong.toml:15: range");
 }
