@@ -181,7 +181,7 @@ std::vector<Key> rows_after_target()
     {"series.precision", number, "", false, {}, "of the positions and fields that are written", SLOT(series.precision), series_precisions},
     {"series.compression", number, "", false, {}, "of .vtu files; lzma is a sixth smaller than zlib and takes five times as long, lz4 the reverse", SLOT(series.compression), series_compressions, &writes_vtu},
     {"series.accuracy", number, "", false, within(0, 0.1), "largest error of a packed value, over the largest magnitude of its field so far; of positions, over the spacing; 0: none", SLOT(series.accuracy), nullptr, &packs},
-    {"series.fields", number, "", false, {}, "fields that are written, besides part and id; all if not given", SLOT(series.fields), series_fields},
+    {"series.fields", number, "", false, {}, "fields that are written, besides part, id, pressure and displacement; all if not given", SLOT(series.fields), series_fields},
   };
 }
 #undef SLOT

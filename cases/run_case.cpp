@@ -170,6 +170,9 @@ void run_and_record(const Case& parsed, const RunOptions& options, Simulation& r
   const History frames = to_history(*histories_of_series(recorder.series().path()));
   if (const std::size_t c = frames.find("permanent_set"); run.mesh_target() && c < frames.columns.size())
     facts.permanent_set = frames.at(0, c);
+  if (const std::size_t c = frames.find("max_pressure_all"); c < frames.columns.size())
+    for (std::size_t row = 0; row < frames.rows(); ++row)
+      facts.peak_on_frames = std::max(facts.peak_on_frames, frames.at(row, c));
   if (options.figures) {
     log.info("drawing figures");
     const auto figures_start = Clock::now();

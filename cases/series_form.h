@@ -16,7 +16,7 @@ struct SeriesForm
   std::string precision = "single"; //!< of series_precisions()
   std::string compression = "zlib"; //!< of series_compressions()
   double accuracy = SeriesOptions().accuracy;
-  std::vector<std::string> fields; //!< of series_fields(); empty: all
+  std::vector<std::string> fields; //!< of series_fields(), besides those that are always written; empty: all
 };
 
 std::vector<std::string> series_formats();      //!< "vtu", "packed", "both"

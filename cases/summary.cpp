@@ -245,6 +245,7 @@ std::string summary_json(const Simulation& run, const RunFacts& facts)
                     {"contact", shares.contact},     {"gauges", shares.gauges},
                     {"writing", shares.writing},     {"figures", facts.figure_seconds}};
   json["series_bytes"] = facts.series_bytes;
+  json["peak_pressure_on_frames"] = facts.peak_on_frames;
   return json.dump(2) + "\n";
 }
 

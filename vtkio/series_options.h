@@ -25,7 +25,7 @@ struct SeriesOptions
   Compression compression = Compression::zlib; //!< of .vtu files
   double accuracy = 1e-4; //!< of packed frames, as WriteFrame in filters/series/PackedFrame.h has it [-]
   std::vector<std::string>
-      fields; //!< names of core/fields.h that are wanted, besides part and id; empty: all
+      fields; //!< names of core/fields.h that are wanted, besides those of thin_grid.h; empty: all
 };
 
 } // namespace birdstrike

@@ -30,7 +30,7 @@ bool is_wanted(vtkDataArray& array, const std::vector<std::string>& fields)
 {
   const bool real = array.GetDataType() == VTK_DOUBLE || array.GetDataType() == VTK_FLOAT;
   const std::string name = array.GetName() ? array.GetName() : "";
-  return fields.empty() || !real || name == "eroded" ||
+  return fields.empty() || !real || name == "eroded" || name == "pressure" || name == "displacement" ||
          std::find(fields.begin(), fields.end(), name) != fields.end();
 }
 
