@@ -47,6 +47,7 @@ void vtkMaximumPressureHistory::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PartArrayName: " << this->PartArrayName << "\n";
   os << indent << "IdArrayName: " << this->IdArrayName << "\n";
   os << indent << "PerPart: " << this->PerPart << "\n";
+  os << indent << "Details: " << this->Details << "\n";
 }
 
 void vtkMaximumPressureHistory::Clear()
@@ -163,6 +164,8 @@ bool vtkMaximumPressureHistory::FillTable(vtkTable* table)
   AddColumn(table, "max_pressure_all[Pa]", all);
   for (const Column& part : this->Parts)
     AddColumn(table, "max_pressure_" + part.Name + "[Pa]", part.Maxima);
+  if (!this->Details)
+    return true;
   for (std::size_t k = 0; k < 3; ++k)
     AddColumn(table, std::string(Axes[k]) + "_of_max_pressure[m]", places[k]);
   AddIdColumn(table, "id_of_max_pressure", ids);

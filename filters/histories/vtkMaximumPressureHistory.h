@@ -10,7 +10,7 @@
  *         (vtkRegionTableAlgorithm) the particles count that are in it at that time.
  *
  * Output 0, "History": vtkTable, a row per time step: "time[s]", "max_pressure_all[Pa]",
- *         "max_pressure_<name>[Pa]" ...; of the particle that has the largest over all: "x_of_max_pressure[m]",
+ *         "max_pressure_<name>[Pa]" ...; with Details of the particle that has the largest over all: "x_of_max_pressure[m]",
  *         "y_of_...", "z_of_...", its place at that time, and "id_of_max_pressure". NaN and -1 where a part has no
  *         particle with a value at that time; NaN values are skipped. Of equal pressures the first counts.
  * Output 1, "Peaks": vtkTable, a row for all particles and one for each part: "part", "peak_pressure[Pa]", the
@@ -56,6 +56,12 @@ public:
   vtkBooleanMacro(PerPart, bool);
   ///@}
 
+  ///@{ Whether the first output also has the place and number of the particle with the largest pressure. Default on.
+  vtkSetMacro(Details, bool);
+  vtkGetMacro(Details, bool);
+  vtkBooleanMacro(Details, bool);
+  ///@}
+
 protected:
   vtkMaximumPressureHistory();
   ~vtkMaximumPressureHistory() override = default;
@@ -93,6 +99,7 @@ private:
   std::string PartArrayName = "part";
   std::string IdArrayName = "id";
   bool PerPart = true;
+  bool Details = true;
 
   bool Found = false; // some leaf had the array
   std::vector<double> RowTimes;

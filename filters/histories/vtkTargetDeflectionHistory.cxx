@@ -374,9 +374,12 @@ void vtkTargetDeflectionHistory::FillSecondTable(vtkTable* table)
     AddColumn(table, title, values);
   };
   column(this->DistanceColumnName, [](const LineOnTarget::Sample& sample) { return sample.Along; });
-  for (std::size_t k = 0; k < 3; ++k)
-    column(std::string(Axes[k]) + "[m]", [k](const LineOnTarget::Sample& sample) { return sample.Place[k]; });
-  column("off_target[m]", [](const LineOnTarget::Sample& sample) { return sample.Off; });
+  if (this->Details) {
+    for (std::size_t k = 0; k < 3; ++k)
+      column(std::string(Axes[k]) + "[m]",
+             [k](const LineOnTarget::Sample& sample) { return sample.Place[k]; });
+    column("off_target[m]", [](const LineOnTarget::Sample& sample) { return sample.Off; });
+  }
   for (std::size_t row = 0; row < this->RowTimes.size(); ++row) {
     std::vector<double> profile = this->Profiles[row];
     profile.resize(samples.size(), None); // before there was a target

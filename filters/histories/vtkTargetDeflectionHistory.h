@@ -31,7 +31,7 @@
  *   "residual_amplitude_at_<name>[m]".
  *
  * Output 1, "Line", with UseLine: vtkTable, a row for each of LinePoints samples between LineStart and LineEnd,
- * places before the load: "distance[m]" from the start, "x[m]", "y[m]", "z[m]", "off_target[m]", the distance to the
+ * places before the load: "distance[m]" from the start, with Details "x[m]", "y[m]", "z[m]", "off_target[m]", the distance to the
  * nearest place on the target, whose deflection it is, and for every time step "deflection_at_<time>s[m]", with a
  * Direction its component along it. An empty table without UseLine.
  *
@@ -119,7 +119,7 @@ public:
   vtkGetCharFromStdStringMacro(DistanceColumnName);
   ///@}
 
-  ///@{ Whether the first output has more than what one plots: time, largest deflection, deflection at the chosen points
+  ///@{ Whether the outputs have more than what one plots: in the first time, largest deflection, deflection at the chosen points
   /// and permanent set, and those along the Direction. Default on.
   vtkSetMacro(Details, bool);
   vtkGetMacro(Details, bool);
