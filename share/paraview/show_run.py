@@ -10,7 +10,6 @@ RUN = ""
 
 import argparse
 import csv
-import json
 import math
 import os
 import sys
@@ -62,7 +61,7 @@ def options():
     parser = argparse.ArgumentParser(prog="show_run.py", description="A run of BirdStrike in ParaView: bird, target and "
                                      "histories side by side.", allow_abbrev=False)
     parser.add_argument("run", nargs="?", default=RUN or os.environ.get("BIRDSTRIKE_RUN", ""),
-                        help="folder of a run, or its run.pvd")
+                        help="folder of a run, or its run.pvd or run.bss")
     parser.add_argument("--colour", default="part", help="array of the bird: part (default), pressure, mean_pressure, "
                         "velocity ...")
     parser.add_argument("--target", default="", help="array of the target: contact_pressure (default of a rigid one), "
@@ -82,33 +81,40 @@ def options():
     return parser.parse_args()
 
 
-def find_pvd(run):
-    """The file run.pvd of what the user said, or None if nothing was said."""
+def find_series(run):
+    """The series of what the user said, run.pvd or run.bss; None if nothing was said."""
     if not run:
         return None
-    file = os.path.join(run, "run.pvd") if os.path.isdir(run) else run
-    if not os.path.isfile(file):
-        fail(f"{file} does not exist; name the folder of a run, or its run.pvd")
-    return os.path.abspath(file)
+    names = [os.path.join(run, name) for name in ("run.pvd", "run.bss")] if os.path.isdir(run) else [run]
+    for file in names:
+        if os.path.isfile(file):
+            return os.path.abspath(file)
+    fail(f"{' and '.join(names)} do{'' if len(names) > 1 else 'es'} not exist; name the folder of a run, or its run.pvd")
 
 
 def open_run(run):
     """The reader of the run, and the folder that it lies in."""
-    reader = None
-    file = find_pvd(run)
-    if not file:
+    file = find_series(run)
+    if file:
+        name = os.path.basename(os.path.dirname(file)) or "run"
+        if file.endswith(".bss"):
+            read = getattr(pv, "BirdStrikePackedSeries", None)
+            if read is None:
+                fail(f"{file} needs the plugin: share/paraview/build-plugin builds it, --plugin names it; or "
+                     "'birdstrike series' makes a run.pvd of it")
+            reader = read(registrationName=name, FileName=file)
+        else:
+            reader = pv.PVDReader(registrationName=name, FileName=file)
+    else:
         candidates = [pv.GetActiveSource()] + list(pv.GetSources().values())
-        for source in candidates:
-            if source is not None and source.GetXMLName() == "PVDReader":
-                reader = source
-                break
-        if reader is None:
+        readers = [one for one in candidates
+                   if one is not None and one.GetXMLName() in ("PVDReader", "BirdStrikePackedSeries")]
+        if not readers:
             fail("which run? Open its run.pvd first, write its folder into the line RUN of this file, or set the "
                  "environment variable BIRDSTRIKE_RUN" if paraview.fromGUI else
                  "which run? Name its folder, or its run.pvd")
+        reader = readers[0]
         file = str(reader.FileName)
-    else:
-        reader = pv.PVDReader(registrationName=os.path.basename(os.path.dirname(file)) or "run", FileName=file)
     reader.UpdatePipelineInformation()
     return reader, os.path.dirname(file)
 
@@ -127,14 +133,6 @@ def table(folder, name):
         except ValueError:
             pass  # a column of words
     return columns
-
-
-def summary(folder):
-    try:
-        with open(os.path.join(folder, "summary.json")) as file:
-            return json.load(file)
-    except (OSError, ValueError):
-        return {}
 
 
 def time_of_interest(times, histories, share):
@@ -377,16 +375,15 @@ def show_target_plain(target, view):
     display.LineWidth = 0.3
 
 
-def default_target_array(target):
-    bends = target.find("velocity") is not None
+def default_target_array(target, bends):
     for name in (["displacement"] if bends else []) + ["contact_pressure", "displacement"]:
         if target.find(name):
             return name
     fail("the target has neither 'contact_pressure' nor 'displacement'")
 
 
-def show_target(target, view, args, times):
-    item, title, association = scaled(target, args.target or default_target_array(target))
+def show_target(target, view, args, times, bends):
+    item, title, association = scaled(target, args.target or default_target_array(target, bends))
     display = pv.Show(item, view)
     display.Representation = "Surface With Edges"
     display.EdgeColor = [0.45, 0.45, 0.45]
@@ -621,7 +618,7 @@ def main():
         fail(f"{reader.FileName} has no frames yet")
     histories = table(folder, "histories.csv")
     bird, target = pieces(reader, times[0])
-    bends = target is not None and target.find("velocity") is not None
+    bends = target is not None and (target.find("velocity") is not None or any(histories.get("max_deflection[m]", [])))
     time = (min(times, key=lambda t: abs(t - args.time)) if args.time is not None else
             time_of_interest(times, histories, 0.8 if bends else 0.5))
     names = part_names(bird) if bird.find("part") else []
@@ -644,7 +641,7 @@ def main():
         target.source.UpdatePipeline(time)
         show_target_plain(target, side)
         front = render_view("Target, as the bird sees it", reader, time)
-        show_target(target, front, args, times)
+        show_target(target, front, args, times, bends)
         show_time(reader, front)
         views.append(front)
 
