@@ -77,7 +77,8 @@ void add_series_command(CLI::App& program)
       ->check(CLI::Range(0.0, 0.1))
       ->capture_default_str();
   command
-      ->add_option("--fields", options->form.fields, "Fields that are wanted besides part, id, pressure and displacement; all if not given")
+      ->add_option("--fields", options->form.fields,
+                   "Fields that are wanted besides part, id, pressure and displacement; all if not given")
       ->check(CLI::IsMember(series_fields()))
       ->delimiter(',');
   command->add_option("--every", options->every, "Every how many frames one is taken; the last one always is")

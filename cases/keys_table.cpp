@@ -69,7 +69,8 @@ const Condition with_ribs{"a bird.shape with a part whose place is \"ribs\"",
                           [](const Case& c) { return has_place(c, Place::ribs); }};
 const Condition with_core{"a bird.shape with a part whose place is \"core\"",
                           [](const Case& c) { return has_place(c, Place::core); }};
-const Condition by_frames{"a run without run.interval", [](const Case& c) { return std::isnan(c.frame_interval); }};
+const Condition by_frames{"a run without run.interval",
+                          [](const Case& c) { return std::isnan(c.frame_interval); }};
 const Condition dense_at_contact{"a run with run.contact_interval",
                                  [](const Case& c) { return !std::isnan(c.contact_interval); }};
 const Condition packs{"a series.format that is \"packed\" or \"both\"",

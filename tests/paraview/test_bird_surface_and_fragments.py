@@ -23,6 +23,8 @@ material = "al-2024-t3"
 [run]
 end = "0.8 ms"
 frames = 6
+[series]
+precision = "double" # compared with the run to rounding
 """
 
 with t.folder() as folder:

@@ -30,6 +30,8 @@ middle = { at = ["0 mm", "0 mm", "0 mm"] }
 [run]
 end = "0.6 ms"
 frames = 12
+[series]
+precision = "double" # compared with the run to rounding
 """
 
 
