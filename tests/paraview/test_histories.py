@@ -34,6 +34,24 @@ frames = 12
 precision = "double" # compared with the run to rounding
 """
 
+RIGID_CASE = """
+title = "A bird of 100 g on a transducer"
+[bird]
+shape = "cylinder"
+mass = "0.1 kg"
+spacing = "6 mm"
+velocity = "150 m/s"
+[bird.parts]
+body = { porosity = 0.4 }
+[target]
+plate = { size = ["0.2 m", "0.2 m"], thickness = "10 mm", elements = [40, 40] }
+[transducers]
+face = { diameter = "50 mm", rise_time = "20 us" }
+[run]
+end = "0.7 ms"
+frames = 120
+"""
+
 
 def setUpModule():
     global keep, run, series, steps, frames
@@ -138,6 +156,22 @@ class Histories(unittest.TestCase):
             half = ContactForceandImpulseHistory(Input=series, Region="Box", Center=[0, side, 0], BoxSize=[1, 1, 1])
             sums = [a + b for a, b in zip(sums, pv.table(half)["contact_force_x[N]"])]
         self.check_close(sums, columns["contact_force_x[N]"])
+
+    def test_transducer(self):
+        # The solver gives a face the share of a particle's footprint, a disc of 6.7 mm radius, the filter that of elements of
+        # 5 mm: on a face of 50 mm the two are nearly the same.
+        base = pathlib.Path(keep.name)
+        (base / "plate.toml").write_text(RIGID_CASE)
+        pv.birdstrike("run", base / "plate.toml", "-o", base / "plate", "--threads", 1, "--no-figures")
+        expected = json.loads((base / "plate/summary.json").read_text())["transducers"]["face"]
+        history = ContactForceandImpulseHistory(Input=pv.open_series(base / "plate/run.pvd"), Region="Cylinder",
+                                                Radius=0.025, RiseTime=20e-6)
+        impulse = pv.table(history)["impulse_x[N s]"][-1]
+        pressure = pv.table(history, 1)
+        area = pressure["area[m2]"][-1]
+        self.assertAlmostEqual(area / (math.pi * 0.025**2), 1, delta=1e-3)
+        self.assertAlmostEqual(impulse / area / expected["impulse"], 1, delta=0.02)
+        self.assertAlmostEqual(max(pressure["mean_pressure_filtered[Pa]"]) / expected["peak"], 1, delta=0.03)
 
     def test_peak_over_time(self):
         times = list(series.TimestepValues)
