@@ -259,7 +259,7 @@ class Histories(unittest.TestCase):
         index.write_text('<?xml version="1.0"?><VTKFile type="Collection" version="0.1"><Collection>'
                          '<DataSet timestep="0" file="frames/target_0000.vtu"/>'
                          '<DataSet timestep="1" file="frames/bird_0000.vtu"/>'
-                         '<DataSet timestep="2" file="frames/target_0001.vtu"/></Collection></VTKFile>')
+                         '<DataSet timestep="2" file="frames/target_0000.vtu"/></Collection></VTKFile>')
         changed = pv.open_series(index)
         deflection = pv.table(TargetDeflectionHistory(Input=changed))["max_deflection[m]"]
         self.assertEqual([math.isnan(value) for value in deflection], [False, True, False])
