@@ -219,6 +219,12 @@ int vtkPeakOverTime::RequestData(vtkInformation* request, vtkInformationVector**
     const double own =
         info->Has(vtkDataObject::DATA_TIME_STEP()) ? info->Get(vtkDataObject::DATA_TIME_STEP()) : 0;
     const double time = timeless ? own : this->Times[this->Done];
+    bool empty = true;
+    ForEachLeaf(input, [&empty](vtkDataSet*, unsigned int) { empty = false; });
+    if (empty && !timeless)
+      vtkWarningMacro("The input has no dataset at time step "
+                      << this->Done + 1 << " of " << this->Times.size()
+                      << "; its reader failed there, or the step is empty: the peaks leave it out.");
     fine = this->Add(time, input);
     ++this->Done;
     ShowStep(*this, this->Done - 1, this->Wanted, time);
