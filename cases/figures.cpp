@@ -8,6 +8,8 @@
 #include "vtkio/palette.h"
 #include "vtkio/plot.h"
 #include "vtkio/robust_range.h"
+#include "vtkio/shown_array.h"
+#include "vtkio/visible_shell.h"
 
 #include <fmt/format.h>
 #include <vtkCellData.h>
@@ -52,22 +54,20 @@ std::array<double, 2> pressure_range(const std::vector<Frame>& frames)
   return {0, range.high() > 0 ? rounded_outwards(range.high(), true) : 1e6};
 }
 
-//! Largest value of an array of the target in all frames; vectors by their length.
+//! Largest value of an array on what is left of the target, in all frames; vectors by their length. What an eroded
+//! element leaves behind flies off and is not shown.
 double largest_on_target(const std::vector<Frame>& frames, const char* name)
 {
   double largest = 0;
   for (const Frame& frame : frames) {
     if (!frame.target)
       continue;
-    vtkDataArray* array = frame.target->GetPointData()->GetArray(name);
-    if (!array)
-      array = frame.target->GetCellData()->GetArray(name);
-    for (vtkIdType k = 0; array && k < array->GetNumberOfTuples(); ++k) {
-      double square = 0;
-      for (int c = 0; c < array->GetNumberOfComponents(); ++c)
-        square += array->GetComponent(k, c) * array->GetComponent(k, c);
-      largest = std::max(largest, std::sqrt(square));
-    }
+    const auto shell = visible_shell(*frame.target, false);
+    auto shown = find_shown_array(*shell->GetPointData(), name);
+    if (!shown)
+      shown = find_shown_array(*shell->GetCellData(), name);
+    if (shown)
+      largest = std::max(largest, finite_range(*shown)[1]);
   }
   return largest;
 }

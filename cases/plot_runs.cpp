@@ -4,6 +4,7 @@
 
 #include "cases/quantity.h"
 #include "cases/study_histories.h"
+#include "cases/thin_rows.h"
 #include "core/error.h"
 #include "vtkio/palette.h"
 
@@ -126,8 +127,8 @@ void add_theory(Plot& plot, const RunPlotOptions& options, const std::vector<std
 
 Plot plot_of_runs(const RunPlotOptions& options)
 {
-  constexpr std::size_t most = 2000; // rows a line: more than the picture has pixels
-  constexpr std::size_t colours = 8; // of write_plot
+  constexpr std::size_t slices = 1000; // of a line: as many as the picture has pixels
+  constexpr std::size_t colours = 8;   // of write_plot
   require(!options.runs.empty() && !options.columns.empty(), "a plot needs a run and a --column");
   require(options.labels.empty() || options.labels.size() == options.runs.size(),
           fmt::format("--label: there are {} labels for {} runs; give one for each", options.labels.size(),
@@ -170,8 +171,14 @@ Plot plot_of_runs(const RunPlotOptions& options)
                       : fmt::format("{}, {}", labels[r], readable);
       if (plot.series.size() >= colours)
         line.style = LineStyle::dashed; // the colours come again
-      const std::size_t stride = 1 + y.values.size() / most;
-      for (std::size_t row = 0; row < y.values.size(); row += stride) {
+      std::vector<std::size_t> rows = thin_rows(y.values, slices);
+      if (options.x != "time") { // a loop has peaks both ways
+        const std::vector<std::size_t> more = thin_rows(x.values, slices);
+        rows.insert(rows.end(), more.begin(), more.end());
+        std::sort(rows.begin(), rows.end());
+        rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+      }
+      for (const std::size_t row : rows) {
         line.x.push_back(from_si(x.values[row], x_unit));
         line.y.push_back(from_si(y.values[row], unit));
       }

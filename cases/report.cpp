@@ -21,6 +21,12 @@ namespace fs = std::filesystem;
 namespace birdstrike {
 namespace {
 
+bool is_there(const fs::path& file)
+{
+  std::error_code ignored;
+  return fs::exists(file, ignored);
+}
+
 std::string read_bytes(const fs::path& file)
 {
   std::ifstream in(file, std::ios::binary);
@@ -58,7 +64,7 @@ Json images(const std::vector<fs::path>& files, std::vector<std::string>& gaps)
     const std::string bytes = read_bytes(file);
     if (!is_png(bytes)) {
       gaps.push_back(fmt::format("figures/{} is damaged and left out; birdstrike render draws it again from "
-                                 "run.pvd.",
+                                 "the series.",
                                  file.filename().string()));
       continue;
     }
@@ -109,7 +115,8 @@ ReportResult write_report(const fs::path& folder, const fs::path& file, const Vi
   ReportResult result;
   result.complete = run.complete;
   result.gaps = run.gaps;
-  result.view = make_report_view(folder / "run.pvd", options);
+  const bool packed = !is_there(folder / "run.pvd") && is_there(folder / "run.bss");
+  result.view = make_report_view(folder / (packed ? "run.bss" : "run.pvd"), options);
   for (const std::string& gap : result.view.gaps)
     result.gaps.push_back(without_folders(gap));
 

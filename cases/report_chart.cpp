@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One chart: from numbers to places on the paper.
 #include "cases/report_charts.h"
+#include "cases/thin_rows.h"
 #include "vtkio/ticks.h"
 
 #include <fmt/format.h>
@@ -43,30 +44,12 @@ std::vector<std::string> labels_of(const std::vector<double>& ticks)
 
 std::string points_of(const ChartLine& line, const Range& x, const Range& y)
 {
+  constexpr std::size_t slices = 500;
   std::string text;
-  const auto add = [&](std::size_t i) {
+  for (const std::size_t i : thin_rows(line.y, slices))
     if (std::isfinite(line.x[i]) && std::isfinite(line.y[i]))
       text += fmt::format("{:.1f},{:.1f} ", left + (right - left) * (line.x[i] - x[0]) / (x[1] - x[0]),
                           bottom - (bottom - top) * (line.y[i] - y[0]) / (y[1] - y[0]));
-  };
-  constexpr std::size_t slices = 500;
-  const std::size_t count = line.x.size();
-  if (count <= 2 * slices) {
-    for (std::size_t i = 0; i < count; ++i)
-      add(i);
-  } else {
-    for (std::size_t s = 0; s < slices; ++s) {
-      const auto first = line.y.begin() + static_cast<std::ptrdiff_t>(s * count / slices),
-                 last = line.y.begin() + static_cast<std::ptrdiff_t>((s + 1) * count / slices);
-      const auto [low, high] = std::minmax_element(first, last);
-      const auto a = static_cast<std::size_t>(low - line.y.begin()),
-                 b = static_cast<std::size_t>(high - line.y.begin());
-      add(std::min(a, b));
-      if (a != b)
-        add(std::max(a, b));
-    }
-    add(count - 1);
-  }
   if (!text.empty())
     text.pop_back();
   return text;

@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -23,6 +25,27 @@ vtkDataArray* array_of(vtkUnstructuredGrid& grid, const char* name, bool of_cell
 {
   return of_cells ? grid.GetCellData()->GetArray(name) : grid.GetPointData()->GetArray(name);
 }
+
+//! Rows of cells and points that nothing is left of, so that they count for no range; empty without an array "eroded".
+struct Gone
+{
+  std::vector<bool> cells, points;
+
+  explicit Gone(vtkUnstructuredGrid& grid)
+  {
+    vtkDataArray* eroded = grid.GetCellData()->GetArray("eroded");
+    if (!eroded)
+      return;
+    points.assign(static_cast<std::size_t>(grid.GetNumberOfPoints()), true);
+    vtkNew<vtkIdList> corners;
+    for (vtkIdType cell = 0; cell < grid.GetNumberOfCells(); ++cell) {
+      cells.push_back(eroded->GetComponent(cell, 0) == 1);
+      grid.GetCellPoints(cell, corners);
+      for (vtkIdType k = 0; !cells.back() && k < corners->GetNumberOfIds(); ++k)
+        points[static_cast<std::size_t>(corners->GetId(k))] = false;
+    }
+  }
+};
 
 } // namespace
 
@@ -59,11 +82,13 @@ void Tracks::append(vtkUnstructuredGrid& grid)
     for (const double x : place)
       position_.push_back(static_cast<float>(x));
   }
+  const Gone gone(grid);
   for (Field& field : fields_) {
     vtkDataArray& array = *array_of(grid, field.what.array, field.of_cells);
+    const std::vector<bool>& nothing = field.of_cells ? gone.cells : gone.points;
     const auto add = [&](std::size_t row) {
-      field.values.push_back(
-          static_cast<float>(field.what.factor * ShownArray{&array}.value(static_cast<vtkIdType>(row))));
+      const double value = field.what.factor * ShownArray{&array}.value(static_cast<vtkIdType>(row));
+      field.values.push_back(!nothing.empty() && nothing[row] ? NAN : static_cast<float>(value));
     };
     if (field.of_cells)
       for (std::size_t cell = 0; cell < cells_; ++cell)

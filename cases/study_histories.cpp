@@ -3,6 +3,7 @@
 #include "cases/study_histories.h"
 
 #include "cases/quantity.h"
+#include "cases/thin_rows.h"
 #include "core/error.h"
 
 #include <fmt/format.h>
@@ -63,6 +64,8 @@ HistoryColumn read_history_column(const fs::path& csv, const std::string& column
     throw OutputError(fmt::format("{} has no column \"{}\"; it has {}", csv.string(), column,
                                   fmt::join(names.begin() + 1, names.end(), ", ")));
   while (std::getline(in, line)) {
+    if (in.eof())
+      break; // a run that was stopped: without its end the line may be half a number
     const std::vector<std::string> cells = split(line);
     if (cells.size() <= wanted)
       throw OutputError(fmt::format("{}: row {} is cut off; delete this run's folder and run the study again",
@@ -76,8 +79,8 @@ HistoryColumn read_history_column(const fs::path& csv, const std::string& column
 Plot plot_of_histories(const StudyPlot& plot, const std::vector<StudyRun>& runs,
                        const std::vector<RunResult>& results, const fs::path& folder)
 {
-  constexpr std::size_t most = 2000; // rows a line: more than the picture has pixels
-  constexpr std::size_t colours = 8; // of write_plot
+  constexpr std::size_t slices = 1000; // of a line: as many as the picture has pixels
+  constexpr std::size_t colours = 8;   // of write_plot
   Plot picture;
   picture.title = plot.title;
   picture.x_label = "time [ms]";
@@ -94,8 +97,7 @@ Plot plot_of_histories(const StudyPlot& plot, const std::vector<StudyRun>& runs,
     line.name = runs[k].label;
     if (picture.series.size() >= colours)
       line.style = LineStyle::dashed; // the colours come again
-    const std::size_t stride = 1 + column.time.size() / most;
-    for (std::size_t row = 0; row < column.time.size(); row += stride) {
+    for (const std::size_t row : thin_rows(column.values, slices)) {
       line.x.push_back(1e3 * column.time[row]);
       line.y.push_back(from_si(column.values[row], plot.y_unit));
     }

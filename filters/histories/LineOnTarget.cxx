@@ -15,6 +15,7 @@
 namespace {
 
 constexpr double None = std::numeric_limits<double>::quiet_NaN();
+constexpr double NoWeight = 1e-9; // of a corner across from the edge that a sample lies on: rounding
 
 //! The dataset with its points moved; itself if its points cannot be.
 vtkSmartPointer<vtkDataSet> Moved(vtkDataSet* leaf, const LineOnTarget::Vector* places)
@@ -102,7 +103,8 @@ LineOnTarget::Vector LineOnTarget::Interpolate(const Sample& sample, const std::
     return {None, None, None};
   Vector sum{};
   for (std::size_t k = 0; k < sample.Corners.size(); ++k)
-    for (std::size_t i = 0; i < 3; ++i)
-      sum[i] += sample.Weights[k] * values[sample.Corners[k]][i];
+    if (std::abs(sample.Weights[k]) > NoWeight) // else a corner that is gone would make NaN of it
+      for (std::size_t i = 0; i < 3; ++i)
+        sum[i] += sample.Weights[k] * values[sample.Corners[k]][i];
   return sum;
 }

@@ -82,6 +82,8 @@ void vtkPeakOverTime::Forget()
   this->Done = 0;
   this->Peaks.clear();
   this->Lost.clear();
+  this->Absent.clear();
+  this->AbsenceTold = false;
   this->ComponentName.clear();
 }
 
@@ -219,6 +221,13 @@ int vtkPeakOverTime::RequestData(vtkInformation* request, vtkInformationVector**
     const double own =
         info->Has(vtkDataObject::DATA_TIME_STEP()) ? info->Get(vtkDataObject::DATA_TIME_STEP()) : 0;
     const double time = timeless ? own : this->Times[this->Done];
+    bool there = false;
+    ForEachLeaf(input, [&](vtkDataSet* leaf, unsigned int) {
+      bool onPoints = false;
+      there = there || this->ArrayOf(leaf, onPoints);
+    });
+    if (!there)
+      this->Absent.push_back(time);
     fine = this->Add(time, input);
     ++this->Done;
     ShowStep(*this, this->Done - 1, this->Wanted, time);
@@ -239,6 +248,12 @@ int vtkPeakOverTime::RequestData(vtkInformation* request, vtkInformationVector**
                   << this->ArrayName << "' at any of the " << this->Done
                   << " time steps; set ArrayName to one that it has.");
     fine = false;
+  }
+  if (fine && !this->Absent.empty() && !this->AbsenceTold) {
+    vtkWarningMacro("No dataset of the input has '" << this->ArrayName << "' at " << this->Absent.size()
+                                                    << " time steps, the first at " << this->Absent.front()
+                                                    << " s; the peaks leave them out.");
+    this->AbsenceTold = true;
   }
   if (!fine) {
     this->Forget();

@@ -118,5 +118,7 @@ private:
   std::map<unsigned int, std::unique_ptr<RunningPeaks>>
       Peaks;                   // by the flat index of the leaf; 0 if there is only one
   std::set<unsigned int> Lost; // leaves that cannot be followed
-  std::string ComponentName;   // of the component that is followed
+  std::vector<double> Absent;  // times at which no dataset has the array
+  bool AbsenceTold = false;
+  std::string ComponentName; // of the component that is followed
 };

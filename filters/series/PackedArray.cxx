@@ -104,6 +104,38 @@ double QuantumFor(double tolerance)
   return tolerance > std::numeric_limits<double>::min() ? std::exp2(std::floor(std::log2(2 * tolerance))) : 0;
 }
 
+// What a reader has of a value in the end.
+double InOwnType(double value, int type) { return type == VTK_FLOAT ? static_cast<float>(value) : value; }
+
+// The steps from one value to the next, in quanta, and the values that they give; false if they are too large, or
+// if rounding takes a value further off than the tolerance.
+bool FindSteps(const PackedArray& state, const std::vector<double>& values, const std::vector<double>& base,
+               double tolerance, double quantum, bool rows, std::vector<std::uint32_t>& steps,
+               std::vector<double>& back)
+{
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (rows) {
+      const double whole = std::round(values[i] / quantum);
+      const double before = i < state.Components ? 0 : back[i - state.Components] / quantum;
+      if (!(std::abs(whole) < LargestStep)) // NaN, too
+        return false;
+      steps[i] = Fold(static_cast<std::int64_t>(whole) - static_cast<std::int64_t>(before));
+      back[i] = whole * quantum;
+    } else {
+      const double change = (values[i] - base[i]) / quantum;
+      if (!(std::abs(change) < LargestStep))
+        return false;
+      const double whole =
+          std::abs(change) <= 0.5 ? 0 : std::round(change); // what is near enough costs nothing
+      steps[i] = Fold(static_cast<std::int64_t>(whole));
+      back[i] = base[i] + whole * quantum;
+    }
+    if (!(std::abs(InOwnType(back[i], state.Type) - values[i]) <= tolerance))
+      return false;
+  }
+  return true;
+}
+
 } // namespace
 
 void WriteExactly(PackedOutput& out, const PackedArray& array)
@@ -120,29 +152,13 @@ void WriteArray(PackedOutput& out, PackedArray& state, const std::vector<double>
     return;
   }
   const std::vector<double>& base = foretold.empty() || rows ? state.Values : foretold;
-  const double quantum = IsWhole(state.Type) ? 0 : QuantumFor(tolerance);
+  double quantum = IsWhole(state.Type) ? 0 : QuantumFor(tolerance);
   std::vector<std::uint32_t> steps(values.size());
   std::vector<double> back(values.size());
-  bool fits = quantum > 0;
-  for (std::size_t i = 0; fits && i < values.size(); ++i) {
-    if (rows) {
-      const double whole = std::round(values[i] / quantum);
-      const double before = i < state.Components ? 0 : back[i - state.Components] / quantum;
-      fits = std::abs(whole) < LargestStep; // false for NaN
-      if (!fits)
-        break;
-      steps[i] = Fold(static_cast<std::int64_t>(whole) - static_cast<std::int64_t>(before));
-      back[i] = whole * quantum;
-    } else {
-      const double change = (values[i] - base[i]) / quantum;
-      fits = std::abs(change) < LargestStep;
-      if (!fits)
-        break;
-      const double whole =
-          std::abs(change) <= 0.5 ? 0 : std::round(change); // what is near enough costs nothing
-      steps[i] = Fold(static_cast<std::int64_t>(whole));
-      back[i] = base[i] + whole * quantum;
-    }
+  bool fits = quantum > 0 && FindSteps(state, values, base, tolerance, quantum, rows, steps, back);
+  if (quantum > 0 && !fits) { // finer steps leave room for the rounding to the array's own type
+    quantum /= 2;
+    fits = FindSteps(state, values, base, tolerance, quantum, rows, steps, back);
   }
   if (!fits) {
     state.Values = values;

@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+
 using namespace birdstrike;
 using Catch::Matchers::Contains;
 
@@ -67,6 +69,33 @@ TEST_CASE("a column of two runs is two lines in the unit asked for", "[cases][pl
   CHECK(plot.series[0].x[3] == Approx(0.003));
   options = runs.both("steps"); // without a unit
   CHECK(plot_of_runs(options).y_label == "steps");
+}
+
+TEST_CASE("a long history keeps its peaks and its end, and half a last line is left out", "[cases][plot]")
+{
+  const TwoRuns runs;
+  std::string rows = "time[s],max_pressure_all[Pa],steps[-]\n";
+  for (int k = 0; k < 9001; ++k)
+    rows += std::to_string(1e-6 * k) + "," +
+            (k == 4321 ? "9e6"
+             : k == 77 ? "-2e6"
+             : k == 78 ? "nan"
+                       : "1e6") +
+            "," + std::to_string(k) + "\n";
+  runs.folder.write("a/histories.csv", rows + "0.009001,1e6,90");
+  RunPlotOptions options = runs.both("max_pressure_all");
+  options.runs.resize(1);
+  const PlotSeries line = plot_of_runs(options).series[0];
+  CHECK(line.x.size() < 2100);
+  CHECK(std::count(line.y.begin(), line.y.end(), 9.0) == 1);
+  CHECK(std::count(line.y.begin(), line.y.end(), -2.0) == 1);
+  CHECK(std::is_sorted(line.x.begin(), line.x.end()));
+  CHECK(line.x.back() == Approx(9.0));
+  options.columns = {"steps"};
+  options.x = "max_pressure_all";
+  const PlotSeries loop = plot_of_runs(options).series[0];
+  CHECK(std::count(loop.x.begin(), loop.x.end(), 9.0) == 1);
+  CHECK(loop.y.back() == 9000);
 }
 
 TEST_CASE("theory is drawn once where the runs agree, else for each", "[cases][plot]")

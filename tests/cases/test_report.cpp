@@ -187,6 +187,24 @@ TEST_CASE("each damaged or missing file is a marked gap, never a crash", "[cases
   CHECK(copy.report().first.find("complete run") != std::string::npos);
 }
 
+TEST_CASE("a run that is packed has its view and its pictures like any other", "[cases][report]")
+{
+  const Copy copy;
+  const Outcome packed = program(copy.folder.path, "series out -o out --format packed --quiet");
+  REQUIRE(packed.status == 2); // not over the one that is read
+  REQUIRE(program(copy.folder.path, "series out -o small --format packed --quiet").status == 0);
+  fs::remove(copy.run / "run.pvd");
+  fs::remove_all(copy.run / "frames");
+  fs::rename(copy.folder.path / "small/run.bss", copy.run / "run.bss");
+  const auto [page, said] = copy.report();
+  CHECK(page.find("id=\"view-canvas\"") != std::string::npos);
+  CHECK_THAT(said, !Catch::Contains("warning"));
+  const Outcome drawn = program(copy.folder.path, "render out -o pictures --quiet");
+  INFO(drawn.output);
+  CHECK(drawn.status == 0);
+  CHECK(fs::exists(copy.folder.path / "pictures/overview.png"));
+}
+
 TEST_CASE("the program says what is wrong with a folder, and leaves no half a page",
           "[cases][report][errors]")
 {

@@ -155,6 +155,29 @@ TEST_CASE("a packed frame is as near as it was asked to be, over many frames and
   CHECK(names->GetValue(4) == "torso");
 }
 
+TEST_CASE("the rounding of single precision is within the accuracy, too", "[packed]")
+{
+  TemporaryFolder folder;
+  const double accuracy = GENERATE(1e-6, 3e-7, 1e-7, 1e-8);
+  SeriesOptions single;
+  single.single_precision = true;
+  const auto state = [&](int frame) {
+    return std::vector<NamedGrid>{{"bird", thin_grid(*bird_at(frame), single)}};
+  };
+  PackedFile file(write(folder.path, 10, accuracy, state));
+  std::map<std::string, double> magnitude; // so far
+  for (int k = 0; k < 10; ++k) {
+    const auto found = all_values(file.Read(static_cast<std::size_t>(k))[0].second);
+    for (const auto& [name, values] : all_values(state(k)[0].second)) {
+      for (const double value : values)
+        magnitude[name] = std::max(magnitude[name], std::abs(value));
+      INFO("accuracy " << accuracy << ", frame " << k << ", " << name);
+      const double reference = name == "points" ? 0.03 : magnitude[name];
+      CHECK(largest_difference(found.at(name), values) <= accuracy * reference * (1 + 1e-9));
+    }
+  }
+}
+
 TEST_CASE("accuracy 0 keeps every bit", "[packed]")
 {
   TemporaryFolder folder;

@@ -195,6 +195,20 @@ TEST_CASE("a changed number of points is a warning, other blocks keep their peak
   CHECK_FALSE(vtkDataSet::SafeDownCast(input->GetBlock(1))->GetPointData()->HasArray("peak_pressure"));
 }
 
+TEST_CASE("steps without the array are a warning, as their peaks are lost", "[filters][peak]")
+{
+  Run run({0, 1, 2}, [](double t) -> vtkSmartPointer<vtkDataObject> {
+    auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+    if (t != 1)
+      blocks->SetBlock(0, made_particles({t}, {}));
+    return blocks;
+  });
+  run.filter->UpdateTimeStep(0);
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(run.filter->GetOutputDataObject(0));
+  CHECK(values(vtkDataSet::SafeDownCast(blocks->GetBlock(0)), "peak_pressure") == std::vector<double>{2});
+  CHECK_THAT(run.errors->first(), Contains("has 'pressure' at 1 time steps, the first at 1 s"));
+}
+
 TEST_CASE("an array of that name is kept", "[filters][peak]")
 {
   Run run({0, 1}, [](double t) {

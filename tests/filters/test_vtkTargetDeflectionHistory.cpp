@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 
 #include <cmath>
 #include <limits>
@@ -190,4 +191,43 @@ TEST_CASE("the deflection along a line is that of the mesh between its points", 
   CHECK(filter->GetOutput()->GetNumberOfColumns() == 0);
   CHECK(filter->GetOutput(1)->GetNumberOfColumns() == 0);
   CHECK_THAT(errors->first(), Contains("The line has no length"));
+}
+
+TEST_CASE("a line along an edge goes on where an element beside it has eroded", "[filters][deflection]")
+{
+  const int gone = GENERATE(0, 1);
+  vtkNew<MadeSeries> source;
+  source->Times = {0, 1};
+  source->Make = [&](double t) {
+    auto plate = vtkSmartPointer<vtkPolyData>::New();
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> quads;
+    vtkNew<vtkDoubleArray> u, eroded;
+    u->SetName("displacement");
+    u->SetNumberOfComponents(3);
+    eroded->SetName("eroded");
+    for (int j = 0; j <= 1; ++j)
+      for (int i = 0; i <= 2; ++i) {
+        points->InsertNextPoint(0.1 * t, i, j);
+        u->InsertNextTuple3(0.1 * t, 0, 0);
+      }
+    for (vtkIdType i = 0; i < 2; ++i) {
+      quads->InsertNextCell({i, i + 1, i + 4, i + 3});
+      eroded->InsertNextValue(t > 0 && i == gone ? 1 : 0);
+    }
+    plate->SetPoints(points);
+    plate->SetPolys(quads);
+    plate->GetPointData()->AddArray(u);
+    plate->GetCellData()->AddArray(eroded);
+    return plate;
+  };
+  vtkNew<vtkTargetDeflectionHistory> filter;
+  filter->SetInputConnection(source->GetOutputPort());
+  filter->UseLineOn();
+  filter->SetLineStart(0, 1, 0);
+  filter->SetLineEnd(0, 1, 1);
+  filter->SetLinePoints(4);
+  filter->Update();
+  for (vtkIdType k = 0; k < 4; ++k)
+    CHECK(value(*filter->GetOutput(1), k, "deflection_at_1s[m]") == Approx(0.1));
 }
