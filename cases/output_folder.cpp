@@ -38,6 +38,9 @@ constexpr std::array own_files{
     "figures/maximum_pressure.png",
     "figures/contact_force.png",
     "figures/transducers.png",
+    "figures/deflection.png",
+    "figures/target_deflection.png",
+    "figures/target_plastic_strain.png",
 };
 
 bool matches(std::string_view name, std::string_view pattern)

@@ -16,6 +16,24 @@ constexpr double LargestStep = 1 << 30; // in quanta
 
 bool IsWhole(int type) { return type != VTK_DOUBLE && type != VTK_FLOAT; }
 
+// Calls work with a number of the type that VTK gives that name; rarer ones are written as the widest.
+template <class Work>
+void WithNumber(int type, Work work)
+{
+  switch (type) {
+  case VTK_DOUBLE:
+    return work(double());
+  case VTK_FLOAT:
+    return work(float());
+  case VTK_UNSIGNED_CHAR:
+    return work(std::uint8_t());
+  case VTK_INT:
+    return work(std::int32_t());
+  default:
+    return work(std::int64_t());
+  }
+}
+
 template <class Number>
 void PutAs(PackedOutput& out, const std::vector<double>& values)
 {
@@ -91,18 +109,7 @@ double QuantumFor(double tolerance)
 void WriteExactly(PackedOutput& out, const PackedArray& array)
 {
   out.Put(PackedMode::Exact);
-  switch (array.Type) {
-  case VTK_DOUBLE:
-    return PutAs<double>(out, array.Values);
-  case VTK_FLOAT:
-    return PutAs<float>(out, array.Values);
-  case VTK_UNSIGNED_CHAR:
-    return PutAs<std::uint8_t>(out, array.Values);
-  case VTK_INT:
-    return PutAs<std::int32_t>(out, array.Values);
-  default:
-    return PutAs<std::int64_t>(out, array.Values);
-  }
+  WithNumber(array.Type, [&](auto number) { PutAs<decltype(number)>(out, array.Values); });
 }
 
 void WriteArray(PackedOutput& out, PackedArray& state, const std::vector<double>& values,
@@ -154,18 +161,7 @@ void ReadArray(PackedInput& in, PackedArray& state, const std::vector<double>& f
   case PackedMode::Same:
     return;
   case PackedMode::Exact:
-    switch (state.Type) {
-    case VTK_DOUBLE:
-      return GetAs<double>(in, state.Values);
-    case VTK_FLOAT:
-      return GetAs<float>(in, state.Values);
-    case VTK_UNSIGNED_CHAR:
-      return GetAs<std::uint8_t>(in, state.Values);
-    case VTK_INT:
-      return GetAs<std::int32_t>(in, state.Values);
-    default:
-      return GetAs<std::int64_t>(in, state.Values);
-    }
+    return WithNumber(state.Type, [&](auto number) { GetAs<decltype(number)>(in, state.Values); });
   case PackedMode::Changes: {
     const auto quantum = in.Get<double>();
     const auto steps = GetSteps(in, state.Values.size(), state.Components);

@@ -2,8 +2,11 @@
 // The real program on wrong input: exit status, message, and nothing left that looks complete.
 #include "scratch.h"
 
+#include "vtkio/series_reader.h"
+
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+#include <vtkUnstructuredGrid.h>
 
 #include <sstream>
 
@@ -119,7 +122,7 @@ TEST_CASE("a run that is killed or fails leaves no summary, and its successor le
   const Outcome killed =
       scratch::killed_program(run.folder.path,
                               "run case.toml -o out --quiet --no-figures --threads 1 --set run.end='1 s' "
-                              "--set run.frames=100000",
+                              "--set run.frames=100000 --set series.format=both",
                               "out/frames/bird_0009.vtu");
   CHECK(killed.status == 128 + 9);
   CHECK_FALSE(fs::exists(out / "summary.json"));
@@ -133,9 +136,14 @@ TEST_CASE("a run that is killed or fails leaves no summary, and its successor le
   CHECK(histories.status == 0);
   CHECK(scratch::read(run.folder.path / "killed.csv").find("max_pressure_torso[Pa]") != std::string::npos);
 
+  const auto packed = birdstrike::read_series_index(out / "run.bss");
+  REQUIRE(packed.steps.size() >= 9);
+  CHECK(birdstrike::read_frame(packed, packed.steps.size() - 1).bird->GetNumberOfPoints() > 0);
+
   REQUIRE(program(run.folder.path, "run case.toml -o out --quiet --no-figures --threads 1").status == 0);
   CHECK(fs::exists(out / "summary.json"));
   CHECK_FALSE(fs::exists(out / "frames/bird_0005.vtu"));
+  CHECK_FALSE(fs::exists(out / "run.bss"));
   CHECK(fs::exists(out / "mine.txt"));
 }
 
