@@ -45,14 +45,16 @@ constexpr const char* of_scenes[] = {
     "--print",    "--dpi",          "--film",    "--cut-plane",     "--background",   "--no-legend",
     "--no-axes",  "--no-scale-bar", "--no-time", "--no-bird",       "--no-target",    "--fit"};
 
-//! run.pvd of a run's folder; its title, if it stands in case.toml beside it.
+//! run.pvd or run.bss of a run's folder; its title, if it stands in case.toml beside it.
 void find_series(RenderTexts& texts)
 {
   std::error_code ignored;
   if (fs::is_directory(texts.series, ignored)) {
-    require(fs::exists(texts.series / "run.pvd", ignored),
-            fmt::format("{} is not the folder of a run: it has no run.pvd", texts.series.string()));
-    texts.series /= "run.pvd";
+    const bool plain = fs::exists(texts.series / "run.pvd", ignored);
+    require(plain || fs::exists(texts.series / "run.bss", ignored),
+            fmt::format("{} is not the folder of a run: it has neither run.pvd nor run.bss",
+                        texts.series.string()));
+    texts.series /= plain ? "run.pvd" : "run.bss";
   }
   const fs::path about = texts.series.parent_path() / "case.toml";
   if (texts.given("--title") || !fs::exists(about, ignored))
@@ -281,7 +283,7 @@ void add_render_command(CLI::App& program)
   texts->command = command;
   texts->colour = "part";
   texts->background = "light";
-  command->add_option("RUN", texts->series, "Folder of a run, or its run.pvd")->required();
+  command->add_option("RUN", texts->series, "Folder of a run, or its run.pvd or run.bss")->required();
   command->add_option("-o,--output", texts->output, "Folder of the pictures");
   command->add_option("--title", texts->title,
                       "Printed on the pictures; default that of the run's case.toml");

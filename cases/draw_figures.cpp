@@ -133,7 +133,7 @@ SeriesExtent common_extent(const MontageFigure& figure, const FigureRun& run, Se
 
 fs::path draw_figure(const MontageFigure& figure, const FigureRun& run, const fs::path& output, Log& log)
 {
-  SeriesFrames frames(run.folder / "run.pvd", true, figure.target);
+  SeriesFrames frames(run.folder, true, figure.target);
   const double shift = shift_of(figure, run);
   const std::vector<std::size_t> steps = steps_of(figure, frames.index(), shift);
   for (std::size_t k = 0; k < steps.size(); ++k)

@@ -32,11 +32,12 @@ void require_run_folder(const fs::path& folder)
   require(
       fs::is_directory(folder, ignored),
       folder.string() + ": this is a file; give the folder that birdstrike run wrote" +
-          (is_there(folder.parent_path() / "run.pvd")
+          (is_there(folder.parent_path() / "run.pvd") || is_there(folder.parent_path() / "run.bss")
                ? ", here " + (folder.has_parent_path() ? folder.parent_path().string() : std::string("\".\""))
                : ""));
   const bool is_run = is_there(folder / "summary.json") || is_there(folder / "run.pvd") ||
-                      is_there(folder / "histories.csv") || is_there(folder / "case.toml");
+                      is_there(folder / "run.bss") || is_there(folder / "histories.csv") ||
+                      is_there(folder / "case.toml");
   if (is_run)
     return;
   if (is_there(folder / "results.csv") || is_there(folder / "runs")) {
@@ -49,7 +50,7 @@ void require_run_folder(const fs::path& folder)
                      (example.empty() ? "" : ", for example " + example));
   }
   throw InputError(folder.string() + ": this is not the folder of a run: it holds neither summary.json nor "
-                                     "run.pvd, histories.csv or case.toml");
+                                     "run.pvd, run.bss, histories.csv or case.toml");
 }
 
 void read_summary(ReportFolder& run)
@@ -146,7 +147,7 @@ void find_figures(ReportFolder& run)
   std::stable_partition(run.pictures.begin(), run.pictures.end(),
                         [](const fs::path& file) { return file.stem() == "overview"; });
   if (files.empty())
-    run.gaps.emplace_back("figures/ holds no pictures; birdstrike render makes some from run.pvd.");
+    run.gaps.emplace_back("figures/ holds no pictures; birdstrike render makes some from the frames.");
 }
 
 } // namespace
