@@ -48,6 +48,13 @@ def points(size):
     return size if size > 6 else 6  # max may be numpy's here, see main
 
 
+def written(what, file):
+    """ParaView says nothing in the exit status if a file cannot be written."""
+    if not os.path.isfile(file) or not os.path.getsize(file):
+        fail(f"{file} could not be written; is its folder there, and may you write in it?")
+    print(what, file)
+
+
 def fail(text):
     if paraview.fromGUI:
         raise RuntimeError(text)
@@ -223,7 +230,7 @@ def scaled(piece, name):
     """A pipeline item with the array in a handy unit: it, the array's new name, association, components."""
     found = piece.find(name)
     if not found:
-        fail(f"'{name}' is no array of it; there are " +
+        fail(f"there is no array '{name}' to colour by; there are " +
              ", ".join(sorted({a.GetName() for k in (0, 1) for a in piece.arrays(k)})))
     unit, factor = UNITS.get(name, ("", 1))
     title = NAMES.get(name, name.replace("_", " ")) + (f" [{unit}]" if unit else "")
@@ -388,6 +395,7 @@ def show_target(target, view, args, times, bends):
     display.Representation = "Surface With Edges"
     display.EdgeColor = [0.45, 0.45, 0.45]
     display.LineWidth = 0.3
+    display.Ambient, display.Diffuse = 1, 0  # unlit: the colours are those of the bar
     colour_by_number(display, view, association, title, largest_over(item, association, title, times, 1))
     return title
 
@@ -673,10 +681,10 @@ def main():
     pv.RenderAllViews()
     if args.save:
         pv.SaveScreenshot(os.path.abspath(args.save), layout, ImageResolution=[width, height])
-        print("picture", args.save)
+        written("picture", args.save)
     if args.film:
         pv.SaveAnimation(os.path.abspath(args.film), layout, ImageResolution=[width, height], FrameRate=12)
-        print("film", args.film)
+        written("film", args.film)
 
 
 main()
