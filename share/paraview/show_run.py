@@ -10,6 +10,7 @@ RUN = ""
 
 import argparse
 import csv
+import glob
 import math
 import os
 import sys
@@ -50,7 +51,8 @@ def points(size):
 
 def written(what, file):
     """ParaView says nothing in the exit status if a file cannot be written."""
-    if not os.path.isfile(file) or not os.path.getsize(file):
+    stem, ending = os.path.splitext(file)  # a film of pictures has their numbers between the two
+    if not any(os.path.getsize(one) for one in glob.glob(glob.escape(stem) + "*" + ending)):
         fail(f"{file} could not be written; is its folder there, and may you write in it?")
     print(what, file)
 
