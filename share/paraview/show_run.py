@@ -52,7 +52,7 @@ def points(size):
 def written(what, file):
     """ParaView says nothing in the exit status if a file cannot be written."""
     stem, ending = os.path.splitext(file)  # a film of pictures has their numbers between the two
-    if not any(os.path.getsize(one) for one in glob.glob(glob.escape(stem) + "*" + ending)):
+    if not [one for one in glob.glob(glob.escape(stem) + "*" + ending) if os.path.getsize(one)]:
         fail(f"{file} could not be written; is its folder there, and may you write in it?")
     print(what, file)
 
