@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 namespace birdstrike {
@@ -272,9 +273,11 @@ std::string target_of(const Case& parsed)
                      parsed.target.rigid);
 }
 
-//! What of a case decides whether a key has a meaning.
+//! What of a case decides whether a key has a meaning; empty if the key's condition says it.
 std::string facts_for(const Case& parsed, const std::string& table)
 {
+  if (table == "run" || table == "series")
+    return "";
   if (table == "bird" || is_column(parsed))
     return bird_of(parsed);
   return table == "transducers" ? bird_of(parsed) + ", " + target_of(parsed) : target_of(parsed);
@@ -284,10 +287,12 @@ std::string facts_for(const Case& parsed, const std::string& table)
 void refuse_idle_keys(const Case& parsed, const std::vector<Entry>& entries)
 {
   for (const Entry& entry : entries)
-    if (const Key* key = find_key(entry.path); key && key->only && !key->only->holds(parsed))
-      throw InputError(fmt::format("{}: {} = {}: this key is only for {}, and this case has {}", entry.place,
-                                   join(entry.path), entry.found, key->only->text,
-                                   facts_for(parsed, entry.path.front())));
+    if (const Key* key = find_key(entry.path); key && key->only && !key->only->holds(parsed)) {
+      const std::string facts = facts_for(parsed, entry.path.front());
+      throw InputError(fmt::format("{}: {} = {}: this key is only for {}{}", entry.place, join(entry.path),
+                                   entry.found, key->only->text,
+                                   facts.empty() ? "; leave it out" : ", and this case has " + facts));
+    }
 }
 
 void check_bird(Case& parsed, const std::set<std::string>& given, const std::string& file)
@@ -371,18 +376,18 @@ Given assign(const std::vector<Entry>& entries, Case& parsed)
 }
 
 //! An override of one of these takes the place of the other.
-constexpr std::pair<const char*, const char*> rivals[] = {{"spacing", "particles"}};
+constexpr std::array<const char*, 3> rivals[] = {{"bird", "spacing", "particles"},
+                                                 {"run", "frames", "interval"}};
 
 void override_all(std::vector<Entry>& entries, const std::vector<Entry>& overrides)
 {
   for (const Entry& entry : overrides) {
-    for (const auto& [one, other] : rivals)
+    for (const auto& [table, one, other] : rivals)
       for (const auto& [given, gone] : {std::pair{one, other}, {other, one}})
-        if (entry.path == std::vector<std::string>{"bird", given})
-          std::erase_if(entries, [&, gone = std::string(gone)](const Entry& e) {
-            return e.path == std::vector<std::string>{"bird", gone} &&
-                   !std::any_of(overrides.begin(), overrides.end(),
-                                [&](const Entry& o) { return o.path == e.path; });
+        if (entry.path == std::vector<std::string>{table, given})
+          std::erase_if(entries, [&, lost = std::vector<std::string>{table, gone}](const Entry& e) {
+            return e.path == lost && !std::any_of(overrides.begin(), overrides.end(),
+                                                  [&](const Entry& o) { return o.path == e.path; });
           });
     apply_override(entries, entry);
   }

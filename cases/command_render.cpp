@@ -50,13 +50,11 @@ void find_series(RenderTexts& texts)
 {
   std::error_code ignored;
   if (fs::is_directory(texts.series, ignored)) {
-    const fs::path folder = texts.series;
-    texts.series = folder / "run.pvd";
-    if (!fs::exists(texts.series, ignored))
-      texts.series = folder / "run.bss";
-    require(
-        fs::exists(texts.series, ignored),
-        fmt::format("{} is not the folder of a run: it has neither run.pvd nor run.bss", folder.string()));
+    const bool plain = fs::exists(texts.series / "run.pvd", ignored);
+    require(plain || fs::exists(texts.series / "run.bss", ignored),
+            fmt::format("{} is not the folder of a run: it has neither run.pvd nor run.bss",
+                        texts.series.string()));
+    texts.series /= plain ? "run.pvd" : "run.bss";
   }
   const fs::path about = texts.series.parent_path() / "case.toml";
   if (texts.given("--title") || !fs::exists(about, ignored))

@@ -64,7 +64,7 @@ Json images(const std::vector<fs::path>& files, std::vector<std::string>& gaps)
     const std::string bytes = read_bytes(file);
     if (!is_png(bytes)) {
       gaps.push_back(fmt::format("figures/{} is damaged and left out; birdstrike render draws it again from "
-                                 "the series.",
+                                 "the frames.",
                                  file.filename().string()));
       continue;
     }
@@ -115,8 +115,7 @@ ReportResult write_report(const fs::path& folder, const fs::path& file, const Vi
   ReportResult result;
   result.complete = run.complete;
   result.gaps = run.gaps;
-  const bool packed = !is_there(folder / "run.pvd") && is_there(folder / "run.bss");
-  result.view = make_report_view(folder / (packed ? "run.bss" : "run.pvd"), options);
+  result.view = make_report_view(folder, options);
   for (const std::string& gap : result.view.gaps)
     result.gaps.push_back(without_folders(gap));
 

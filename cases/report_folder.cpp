@@ -147,7 +147,7 @@ void find_figures(ReportFolder& run)
   std::stable_partition(run.pictures.begin(), run.pictures.end(),
                         [](const fs::path& file) { return file.stem() == "overview"; });
   if (files.empty())
-    run.gaps.emplace_back("figures/ holds no pictures; birdstrike render makes some from the series.");
+    run.gaps.emplace_back("figures/ holds no pictures; birdstrike render makes some from the frames.");
 }
 
 } // namespace

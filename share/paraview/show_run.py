@@ -10,6 +10,7 @@ RUN = ""
 
 import argparse
 import csv
+import glob
 import math
 import os
 import sys
@@ -46,6 +47,14 @@ def part_colour(name, number):
 def points(size):
     size = int(scale * size + 0.5)
     return size if size > 6 else 6  # max may be numpy's here, see main
+
+
+def written(what, file):
+    """ParaView says nothing in the exit status if a file cannot be written."""
+    stem, ending = os.path.splitext(file)  # a film of pictures has their numbers between the two
+    if not [one for one in glob.glob(glob.escape(stem) + "*" + ending) if os.path.getsize(one)]:
+        fail(f"{file} could not be written; is its folder there, and may you write in it?")
+    print(what, file)
 
 
 def fail(text):
@@ -223,7 +232,7 @@ def scaled(piece, name):
     """A pipeline item with the array in a handy unit: it, the array's new name, association, components."""
     found = piece.find(name)
     if not found:
-        fail(f"'{name}' is no array of it; there are " +
+        fail(f"there is no array '{name}' to colour by; there are " +
              ", ".join(sorted({a.GetName() for k in (0, 1) for a in piece.arrays(k)})))
     unit, factor = UNITS.get(name, ("", 1))
     title = NAMES.get(name, name.replace("_", " ")) + (f" [{unit}]" if unit else "")
@@ -388,6 +397,7 @@ def show_target(target, view, args, times, bends):
     display.Representation = "Surface With Edges"
     display.EdgeColor = [0.45, 0.45, 0.45]
     display.LineWidth = 0.3
+    display.Ambient, display.Diffuse = 1, 0  # unlit: the colours are those of the bar
     colour_by_number(display, view, association, title, largest_over(item, association, title, times, 1))
     return title
 
@@ -673,10 +683,10 @@ def main():
     pv.RenderAllViews()
     if args.save:
         pv.SaveScreenshot(os.path.abspath(args.save), layout, ImageResolution=[width, height])
-        print("picture", args.save)
+        written("picture", args.save)
     if args.film:
         pv.SaveAnimation(os.path.abspath(args.film), layout, ImageResolution=[width, height], FrameRate=12)
-        print("film", args.film)
+        written("film", args.film)
 
 
 main()

@@ -123,6 +123,13 @@ TEST_CASE("overrides replace and add keys", "[cases][case]")
   CHECK(parsed.title == "4");
   CHECK(parsed.bird.yaw == Approx(1.5707963267948966));
   CHECK(parsed.bird.mesh == "my.goose.glb");
+  // one of two rivals takes the place of the other
+  const fs::path by_interval = folder.write("again.toml", to_toml(read_case(file, {"run.interval=0.1 ms"})));
+  CHECK(read_case(by_interval).frame_interval == Approx(1e-4));
+  CHECK(read_case(by_interval, {"run.frames=7"}).run.frames == 7);
+  CHECK_THROWS_WITH(
+      read_case(file, {"run.frames=7", "run.interval=0.1 ms"}),
+      Catch::Contains("run.frames = 7: this key is only for a run without run.interval; leave"));
   CHECK_THROWS_WITH(read_case(file, {"bird.spacing"}), Catch::Contains("key=value is needed"));
   CHECK_THROWS_WITH(read_case(file, {"bird.spacing=8"}),
                     "--set: bird.spacing = 8: a length is needed, for example \"6 mm\"; the unit is missing");
