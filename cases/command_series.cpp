@@ -8,6 +8,8 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <vtkCellData.h>
+#include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <cstdio>
@@ -26,6 +28,12 @@ struct Options
   bool quiet = false;
 };
 
+bool has_field(vtkUnstructuredGrid* grid, const std::string& name)
+{
+  return grid &&
+         (grid->GetPointData()->HasArray(name.c_str()) || grid->GetCellData()->HasArray(name.c_str()));
+}
+
 void convert(const Options& options)
 {
   const SeriesIndex index = read_series_index(options.input);
@@ -37,6 +45,10 @@ void convert(const Options& options)
                   options.output.string()));
   const Frame first = read_frame(index, 0); // before anything is touched on the disk
   require(first.bird != nullptr, fmt::format("{}: there is no bird in this series", index.pvd.string()));
+  for (const std::string& field : options.form.fields)
+    require(has_field(first.bird, field) || has_field(first.target, field),
+            fmt::format("--fields {}: the series of {} does not have it; leave it out", field,
+                        index.pvd.string()));
   SeriesWriter writer(options.output, series_options(options.form));
   const std::size_t last = index.steps.size() - 1, every = static_cast<std::size_t>(options.every);
   for (std::size_t step = 0; step <= last; ++step) {

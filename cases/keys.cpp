@@ -182,7 +182,8 @@ std::string kind_of(const Key& key)
           [](std::array<int, 2>*) { return std::string("a list of two integers"); },
           [](bool*) { return std::string("true or false"); },
           [&](std::vector<std::string>*) {
-            return key.choices ? fmt::format("a list of some of \"{}\"", fmt::join(key.choices(), "\", \""))
+            return key.choices ? fmt::format("a list such as [\"{}\"], of some of \"{}\"",
+                                             key.choices().front(), fmt::join(key.choices(), "\", \""))
                                : std::string("a list of texts in quotes");
           },
           [&](auto*) {

@@ -21,12 +21,6 @@ namespace fs = std::filesystem;
 namespace birdstrike {
 namespace {
 
-bool is_there(const fs::path& file)
-{
-  std::error_code ignored;
-  return fs::exists(file, ignored);
-}
-
 std::string read_bytes(const fs::path& file)
 {
   std::ifstream in(file, std::ios::binary);

@@ -83,7 +83,8 @@ public:
   vtkBooleanMacro(PerPart, bool);
   ///@}
 
-  ///@{ 10 to 90 % rise time of the filter [s]; 0, the default, for none.
+  ///@{ 10 to 90 % rise time of the filter [s]; 0, the default, for none. It starts from zero at the first step that is
+  /// read: with LimitTime begin some rise times before what is looked at.
   vtkSetMacro(RiseTime, double);
   vtkGetMacro(RiseTime, double);
   ///@}

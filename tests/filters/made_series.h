@@ -19,6 +19,8 @@
 #include <vtkStringArray.h>
 #include <vtkTable.h>
 
+#include "vtkio/vtk_errors.h"
+
 #include <functional>
 #include <string>
 #include <vector>
@@ -67,6 +69,23 @@ protected:
   }
 };
 vtkStandardNewMacro(MadeSeries);
+
+//! A filter behind a made-up series, and what it complains of.
+template <class Filter>
+struct FilterRun
+{
+  vtkNew<MadeSeries> source;
+  vtkNew<Filter> filter;
+  vtkSmartPointer<birdstrike::VtkErrors> errors = vtkSmartPointer<birdstrike::VtkErrors>::New();
+
+  FilterRun(std::vector<double> times, std::function<vtkSmartPointer<vtkDataObject>(double)> make)
+  {
+    source->Times = std::move(times);
+    source->Make = std::move(make);
+    filter->SetInputConnection(source->GetOutputPort());
+    errors->watch(*filter);
+  }
+};
 
 } // namespace
 

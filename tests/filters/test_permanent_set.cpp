@@ -61,19 +61,10 @@ void mark_cells(vtkPolyData& plate, const char* name, const std::set<int>& which
 
 double bulge(double y, double z, double a) { return (1 - 4 * (y - a) * (y - a)) * (1 - 4 * z * z); }
 
-struct Run
+struct Run : FilterRun<vtkTargetDeflectionHistory>
 {
-  vtkNew<MadeSeries> source;
-  vtkNew<vtkTargetDeflectionHistory> filter;
-  vtkSmartPointer<VtkErrors> errors = vtkSmartPointer<VtkErrors>::New();
+  using FilterRun::FilterRun;
 
-  Run(std::vector<double> times, std::function<vtkSmartPointer<vtkDataObject>(double)> make)
-  {
-    source->Times = std::move(times);
-    source->Make = std::move(make);
-    filter->SetInputConnection(source->GetOutputPort());
-    errors->watch(*filter);
-  }
   vtkTable& table()
   {
     source->Modified();

@@ -13,7 +13,6 @@
 #include <cmath>
 #include <numbers>
 
-using birdstrike::VtkErrors;
 using Catch::Matchers::Contains;
 
 namespace {
@@ -61,19 +60,10 @@ void add_impulse(vtkPolyData& plate, double each)
   plate.GetCellData()->AddArray(impulse);
 }
 
-struct Run
+struct Run : FilterRun<vtkContactForceHistory>
 {
-  vtkNew<MadeSeries> source;
-  vtkNew<vtkContactForceHistory> filter;
-  vtkSmartPointer<VtkErrors> errors = vtkSmartPointer<VtkErrors>::New();
+  using FilterRun::FilterRun;
 
-  Run(std::vector<double> times, std::function<vtkSmartPointer<vtkDataObject>(double)> make)
-  {
-    source->Times = std::move(times);
-    source->Make = std::move(make);
-    filter->SetInputConnection(source->GetOutputPort());
-    errors->watch(*filter);
-  }
   vtkTable& table()
   {
     filter->Update();

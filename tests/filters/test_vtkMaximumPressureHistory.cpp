@@ -11,26 +11,16 @@
 #include <limits>
 #include <sstream>
 
-using birdstrike::VtkErrors;
 using Catch::Matchers::Contains;
 
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-struct Run
+struct Run : FilterRun<vtkMaximumPressureHistory>
 {
-  vtkNew<MadeSeries> source;
-  vtkNew<vtkMaximumPressureHistory> filter;
-  vtkSmartPointer<VtkErrors> errors = vtkSmartPointer<VtkErrors>::New();
+  using FilterRun::FilterRun;
 
-  Run(std::vector<double> times, std::function<vtkSmartPointer<vtkDataObject>(double)> make)
-  {
-    source->Times = std::move(times);
-    source->Make = std::move(make);
-    filter->SetInputConnection(source->GetOutputPort());
-    errors->watch(*filter);
-  }
   vtkTable& table()
   {
     filter->Update();

@@ -13,26 +13,18 @@
 #include <cmath>
 #include <limits>
 
-using birdstrike::VtkErrors;
 using Catch::Matchers::Contains;
 
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-struct Run
+struct Run : FilterRun<vtkPeakOverTime>
 {
-  vtkNew<MadeSeries> source;
-  vtkNew<vtkPeakOverTime> filter;
-  vtkSmartPointer<VtkErrors> errors = vtkSmartPointer<VtkErrors>::New();
-
   Run(std::vector<double> times, std::function<vtkSmartPointer<vtkDataObject>(double)> make)
+      : FilterRun(std::move(times), std::move(make))
   {
-    source->Times = std::move(times);
-    source->Make = std::move(make);
-    filter->SetInputConnection(source->GetOutputPort());
     filter->SetArrayName("pressure");
-    errors->watch(*filter);
   }
   vtkDataSet* at(double time)
   {
