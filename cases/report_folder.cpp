@@ -125,6 +125,20 @@ void read_tables(ReportFolder& run)
   }
 }
 
+//! The time that a stopped run got to, beside that which it was to reach.
+void tell_how_far(ReportFolder& run)
+{
+  if (run.complete || run.history.rows() == 0)
+    return;
+  std::string end;
+  for (const Entry& entry : run.case_entries)
+    if (entry.path == std::vector<std::string>{"run", "end"} && !entry.values.empty())
+      if (const auto* text = std::get_if<std::string>(&entry.values.front()))
+        end = " of " + *text;
+  run.gaps.push_back(
+      fmt::format("It got to {:.4g} ms{}.", 1e3 * run.history.at(run.history.rows() - 1, 0), end));
+}
+
 void find_figures(ReportFolder& run)
 {
   std::error_code ignored;
@@ -240,6 +254,7 @@ ReportFolder read_report_folder(const fs::path& folder)
   read_case_file(run);
   read_log(run);
   read_tables(run);
+  tell_how_far(run);
   if (run.summary.empty())
     run.summary = summary_so_far(run.history);
   find_figures(run);

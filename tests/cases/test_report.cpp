@@ -149,6 +149,10 @@ TEST_CASE("a run that was stopped gives a page that says so", "[cases][report]")
   const auto [page, said] = copy.report();
   CHECK(page.find("incomplete run") != std::string::npos);
   CHECK(page.find("summary.json is missing") != std::string::npos);
+  const History kept = read_history_table(copy.run / "histories.csv");
+  std::smatch reached;
+  REQUIRE(std::regex_search(page, reached, std::regex("It got to ([0-9.]+) ms of [0-9.]+ ms")));
+  CHECK(std::stod(reached[1]) == Approx(1e3 * kept.at(kept.rows() - 1, 0)).epsilon(1e-3));
   CHECK(page.find("<polyline") != std::string::npos);
   CHECK(page.find("Energy, equation 5.59") != std::string::npos);
   // The peaks are those of the summary, as this run was over when the histories were cut.
