@@ -2,6 +2,7 @@
 // Pictures and plots of a run.
 #include "cases/figures.h"
 
+#include "cases/series_frames.h"
 #include "core/error.h"
 #include "core/gauges/history.h"
 #include "vtkio/montage.h"
@@ -27,18 +28,10 @@ namespace {
 
 constexpr int picture_count = 8; // the start and seven later times, as figures 8.8 and 8.9
 
-//! Evenly spaced frames, the first and the last included; fewer if the series has fewer.
 std::vector<Frame> chosen_frames(const SeriesIndex& index)
 {
-  std::vector<std::size_t> steps;
-  const double first = index.steps.front().time, last = index.steps.back().time;
-  for (int k = 0; k < picture_count; ++k) {
-    const std::size_t step = index.nearest(first + (last - first) * k / (picture_count - 1));
-    if (steps.empty() || steps.back() != step)
-      steps.push_back(step);
-  }
   std::vector<Frame> frames;
-  for (const std::size_t step : steps)
+  for (const std::size_t step : chosen_steps(index, {}, picture_count))
     frames.push_back(read_frame(index, step));
   return frames;
 }

@@ -29,7 +29,6 @@ public:
 
   const std::vector<Vector3d>& GetPoints() const { return this->Points; }
   const std::vector<double>& GetSmoothing() const { return this->H; }
-  double GetLargestSmoothing() const { return this->Largest; }
 
   //! V W of a particle at a squared distance from it [-].
   double Share(std::size_t particle, double squared) const
