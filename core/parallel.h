@@ -23,14 +23,16 @@ Value ordered_reduce(std::size_t n, Value start, const Row& add_row, const Add& 
 {
   constexpr std::size_t chunk = 2048;
   const std::ptrdiff_t chunks = static_cast<std::ptrdiff_t>((n + chunk - 1) / chunk);
-  std::vector<Value> partial(static_cast<std::size_t>(chunks), start);
+  static thread_local std::vector<Value> partial; // kept, so that a step allocates nothing
+  partial.assign(static_cast<std::size_t>(chunks), start);
+  Value* const parts = partial.data(); // of this thread, for all
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t c = 0; c < chunks; ++c) {
     const std::size_t begin = static_cast<std::size_t>(c) * chunk, end = std::min(n, begin + chunk);
     Value value = start;
     for (std::size_t i = begin; i < end; ++i)
       add_row(value, i);
-    partial[static_cast<std::size_t>(c)] = value;
+    parts[c] = value;
   }
   for (const Value& value : partial)
     add(start, value);

@@ -58,7 +58,8 @@ struct Settings
            //!< the energy of the law exactly (see sph_rates.h) [-]
   double smoothing_growth = 1.0; //!< h is kept below this share of its first value [-]
   std::optional<PeriodicBox> periodic;
-  int threads = 0; //!< 0: all that there are
+  bool skip_undisturbed = true; //!< leave particles alone that nothing has reached yet; same results [-]
+  int threads = 0;              //!< 0: all that there are
 };
 
 } // namespace birdstrike

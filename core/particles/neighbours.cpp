@@ -4,18 +4,12 @@
 #include "core/error.h"
 #include "core/parallel.h"
 
-#include <omp.h>
+#include <array>
+#include <limits>
 
 namespace birdstrike {
 
 namespace {
-
-std::vector<double> padded(const std::vector<double>& array)
-{
-  std::vector<double> copy(array.size() + cluster_size);
-  std::copy(array.begin(), array.end(), copy.begin());
-  return copy;
-}
 
 struct Range
 {
@@ -51,28 +45,49 @@ void reorder(Particles& p, const std::vector<std::int32_t>& order)
 
 bool Neighbours::is_stale(const Particles& p) const
 {
-  const std::size_t n = p.size();
   if (rebuilds_ == 0)
     return true;
-  const Vector3 sum = ordered_reduce(
-      n, Vector3(Vector3::Zero()),
-      [&](Vector3& total, std::size_t i) {
-        total += Vector3(p.x[i] - x_[i], p.y[i] - y_[i], p.z[i] - z_[i]);
-      },
-      [](Vector3& a, const Vector3& b) { a += b; });
-  const Vector3 mean = sum / static_cast<double>(n);
+  const PairUnits unit = units(p.spacing);
+  const WholePlace whole_x(unit.x, p.spacing), whole_y(unit.y, p.spacing), whole_z(unit.z, p.spacing);
+  const auto moved = [&](std::size_t quad, std::size_t lane) { // since the last build, modulo 2^32
+    const auto row = static_cast<std::size_t>(quads_[quad].begin) + lane;
+    const QuadPlace& place = places_[quad];
+    return std::array<std::int32_t, 3>{whole_difference(whole_x(p.x[row]), place.x[lane]),
+                                       whole_difference(whole_y(p.y[row]), place.y[lane]),
+                                       whole_difference(whole_z(p.z[row]), place.z[lane])};
+  };
+  // About the mean motion: what is subtracted from all does not matter, so a sample will do.
+  const std::size_t count = quads_.size(), stride = 1 + count / 512;
+  const std::array<std::int32_t, 3> first = moved(0, 0);
+  std::array<double, 3> sum{};
+  double samples = 0;
+  for (std::size_t q = 0; q < count; q += stride, ++samples) {
+    const auto one = moved(q, 0);
+    for (std::size_t k = 0; k < 3; ++k)
+      sum[k] += whole_difference(one[k], first[k]);
+  }
+  std::array<std::int32_t, 3> mean;
+  for (std::size_t k = 0; k < 3; ++k)
+    mean[k] = whole_difference(first[k], -static_cast<std::int32_t>(std::lrint(sum[k] / samples)));
+
   // A pair closes by at most both displacements, and its reach grows by both changes of h.
-  const double excess = ordered_reduce(
-      n, -1e300,
-      [&](double& most, std::size_t i) {
-        const double dx = p.x[i] - x_[i] - mean[0], dy = p.y[i] - y_[i] - mean[1],
-                     dz = p.z[i] - z_[i] - mean[2];
-        const double growth = std::max(0.0, p.smoothing_length[i] - h_[i]);
-        most = std::max(most, std::sqrt(dx * dx + dy * dy + dz * dz) + growth - (reach_[i] - h_[i]));
+  const double per_spacing = 1 / p.spacing;
+  return ordered_reduce(
+      count, 0,
+      [&](int& stale, std::size_t q) {
+        const QuadPlace& place = places_[q];
+        for (std::size_t l = 0; l < static_cast<std::size_t>(quads_[q].count); ++l) {
+          const std::size_t row = static_cast<std::size_t>(quads_[q].begin) + l;
+          const auto by = moved(q, l);
+          const double x = whole_difference(by[0], mean[0]) * unit.x,
+                       y = whole_difference(by[1], mean[1]) * unit.y,
+                       z = whole_difference(by[2], mean[2]) * unit.z;
+          const double h = p.smoothing_length[row] * per_spacing;
+          const double left = place.reach[l] - std::max(h, static_cast<double>(place.support[l]));
+          stale = stale || !(left > 0 && x * x + y * y + z * z < left * left);
+        }
       },
-      [](double& a, double b) { a = std::max(a, b); });
-  // A NaN hides from max(), but not from the means; sort() then names the particle.
-  return !(excess < 0) || !mean.allFinite();
+      [](int& a, int b) { a = a || b; }) != 0;
 }
 
 int Neighbours::pencil_at(double value, double origin, double width, int count) const
@@ -113,9 +128,9 @@ const std::vector<std::int32_t>& Neighbours::sort(const Particles& p)
   for (std::size_t k = 0; k < pencils; ++k)
     pencil_begin_[k + 1] += pencil_begin_[k];
   order_.resize(n);
-  std::vector<std::int32_t> next(pencil_begin_.begin(), pencil_begin_.end() - 1);
+  next_.assign(pencil_begin_.begin(), pencil_begin_.end() - 1);
   for (std::size_t i = 0; i < n; ++i)
-    order_[static_cast<std::size_t>(next[static_cast<std::size_t>(pencil_of_[i])]++)] =
+    order_[static_cast<std::size_t>(next_[static_cast<std::size_t>(pencil_of_[i])]++)] =
         static_cast<std::int32_t>(i);
 #pragma omp parallel for schedule(dynamic, 16)
   for (std::ptrdiff_t k = 0; k < static_cast<std::ptrdiff_t>(pencils); ++k)
@@ -127,110 +142,180 @@ const std::vector<std::int32_t>& Neighbours::sort(const Particles& p)
   return order_;
 }
 
-void Neighbours::search(Cluster& cluster, double longest_reach, std::vector<std::int32_t>& found,
-                        std::int64_t& neighbours) const
+//! Consecutive rows of a pencil, up to four and no further apart than a pencil is usually wide: all lanes of listed quads
+//! are then well within widest_pair of each other.
+void Neighbours::cut_quads(const Particles& p)
 {
-  Range x, y, z;
-  double own_reach = 0;
-  for (int i = cluster.begin; i < cluster.begin + cluster.count; ++i) {
-    x = {std::min(x.lower, x_[i]), std::max(x.upper, x_[i])};
-    y = {std::min(y.lower, y_[i]), std::max(y.upper, y_[i])};
-    z = {std::min(z.lower, z_[i]), std::max(z.upper, z_[i])};
-    own_reach = std::max(own_reach, reach_[i]);
+  const double most = 3 * p.spacing;
+  quads_.clear();
+  boxes_.clear();
+  quad_begin_.assign(1, 0);
+  for (std::size_t k = 0; k + 1 < pencil_begin_.size(); ++k) {
+    bool open = false; // may the last quad take another row?
+    for (std::int32_t row = pencil_begin_[k]; row < pencil_begin_[k + 1]; ++row) {
+      const auto i = static_cast<std::size_t>(row);
+      const double place[3] = {p.x[i], p.y[i], p.z[i]};
+      bool fits = open && quads_.back().count < quad_size;
+      for (int axis = 0; fits && axis < 3; ++axis)
+        fits =
+            std::max(boxes_.back().high[axis], place[axis]) - std::min(boxes_.back().low[axis], place[axis]) <
+            most;
+      if (!fits) {
+        quads_.push_back({row, 0, false, 0, 0});
+        boxes_.push_back({{place[0], place[1], place[2]}, {place[0], place[1], place[2]}});
+      }
+      open = true;
+      ++quads_.back().count;
+      for (int axis = 0; axis < 3; ++axis) {
+        boxes_.back().low[axis] = std::min(boxes_.back().low[axis], place[axis]);
+        boxes_.back().high[axis] = std::max(boxes_.back().high[axis], place[axis]);
+      }
+    }
+    quad_begin_.push_back(static_cast<std::int32_t>(quads_.size()));
   }
-  const double reach = own_reach + longest_reach;
-  const PairKernels& kernels = pair_kernels();
-  const auto pencils_around = [&](const Range& r, double period, double origin, double width, int count) {
-    int first = static_cast<int>(std::floor((r.lower - reach - origin) / width));
-    int last = static_cast<int>(std::floor((r.upper + reach - origin) / width));
-    if (period > 0) // wraps around, but visits none twice
-      return Range{static_cast<double>(first), static_cast<double>(std::min(last, first + count - 1))};
-    return Range{static_cast<double>(std::clamp(first, 0, count - 1)),
-                 static_cast<double>(std::clamp(last, 0, count - 1))};
-  };
-  const Range around_y = pencils_around(y, period_.y, origin_y_, width_y_, pencils_y_);
-  const Range around_z = pencils_around(z, period_.z, origin_z_, width_z_, pencils_z_);
-  const auto wrap = [](int i, int count) { return ((i % count) + count) % count; };
+}
 
-  cluster.first = static_cast<std::int64_t>(found.size());
-  for (int kz = static_cast<int>(around_z.lower); kz <= static_cast<int>(around_z.upper); ++kz)
-    for (int ky = static_cast<int>(around_y.lower); ky <= static_cast<int>(around_y.upper); ++ky) {
+//! What the search looks at. Skins are in proportion to the speed against the mean motion, within a quarter and five times
+//! their mean.
+//! \return the longest reach [m]
+double Neighbours::place_quads(const Particles& p)
+{
+  const double count = static_cast<double>(p.size());
+  const Vector3 mean =
+      ordered_reduce(
+          p.size(), Vector3(Vector3::Zero()), [&](Vector3& sum, std::size_t i) { sum += p.velocity(i); },
+          [](Vector3& a, const Vector3& b) { a += b; }) /
+      count;
+  const auto speed = [&](std::size_t i) { return (p.velocity(i) - mean).norm(); };
+  const double mean_speed = ordered_sum(p.size(), speed) / count;
+  const bool even =
+      mean_speed <= 1e-9 || period_.y > 0 || period_.z > 0; // small boxes have no room for wide skins
+
+  std::vector<double> density_of_part;
+  for (const Part& part : p.parts)
+    density_of_part.push_back(reference_density(part.eos));
+  const PairUnits unit = units(p.spacing);
+  const WholePlace whole_x(unit.x, p.spacing), whole_y(unit.y, p.spacing), whole_z(unit.z, p.spacing);
+  places_.resize(quads_.size());
+  rest_density_.resize(quads_.size());
+  return ordered_reduce(
+      quads_.size(), 0.0,
+      [&](double& longest, std::size_t q) {
+        QuadPlace& place = places_[q];
+        const auto begin = static_cast<std::size_t>(quads_[q].begin);
+        rest_density_[q] = static_cast<float>(density_of_part[p.part[begin]]);
+        for (std::size_t l = 0; l < quad_size; ++l) {
+          const bool used = l < static_cast<std::size_t>(quads_[q].count);
+          const std::size_t i = begin + (used ? l : 0);
+          place.x[l] = whole_x(p.x[i]), place.y[l] = whole_y(p.y[i]), place.z[l] = whole_z(p.z[i]);
+          const double share = even ? 1.0 : std::clamp(speed(i) / mean_speed, 0.25, 5.0);
+          const double h = p.smoothing_length[i], reach = h + share * skin_;
+          place.support[l] = used ? static_cast<float>(h / p.spacing) : -1e30f;
+          place.reach[l] = used ? static_cast<float>(reach / p.spacing) : -1e30f;
+          longest = std::max(longest, reach);
+          if (static_cast<float>(density_of_part[p.part[i]]) != rest_density_[q])
+            rest_density_[q] = std::numeric_limits<float>::quiet_NaN();
+        }
+      },
+      [](double& a, double b) { a = std::max(a, b); });
+}
+
+void Neighbours::search(std::size_t quad, double longest_reach, Found& found)
+{
+  const Box& box = boxes_[quad];
+  const QuadPlace& place = places_[quad];
+  const PairKernels& kernels = pair_kernels();
+  const PairUnits unit = found_unit_;
+  const double own = *std::max_element(place.reach, place.reach + quad_size) * found_spacing_;
+  const double reach = (own + longest_reach) * (1 + 1e-6); // single precision rounds
+  const auto pencils_around = [&](int axis, double period, double origin, double width, int count) {
+    const int first = static_cast<int>(std::floor((box.low[axis] - reach - origin) / width));
+    const int last = static_cast<int>(std::floor((box.high[axis] + reach - origin) / width));
+    if (period > 0) // wraps around, but visits none twice
+      return std::pair<int, int>{first, std::min(last, first + count - 1)};
+    return std::pair<int, int>{std::clamp(first, 0, count - 1), std::clamp(last, 0, count - 1)};
+  };
+  const auto around_y = pencils_around(1, period_.y, origin_y_, width_y_, pencils_y_);
+  const auto around_z = pencils_around(2, period_.z, origin_z_, width_z_, pencils_z_);
+  const auto wrap = [](int i, int count) { return ((i % count) + count) % count; };
+  //! Between the quad and a pencil; outermost pencils hold all that is beyond them.
+  const auto apart = [&](int axis, int pencil, double origin, double width, int count, double period) {
+    if (period > 0)
+      return 0.0;
+    const double low = pencil == 0 ? -1e300 : origin + pencil * width,
+                 high = pencil == count - 1 ? 1e300 : origin + (pencil + 1) * width;
+    return std::max({0.0, low - box.high[axis], box.low[axis] - high});
+  };
+
+  Quad& list = quads_[quad];
+  list.first = static_cast<std::int64_t>(found.partners.size());
+  for (int kz = around_z.first; kz <= around_z.second; ++kz) {
+    const double dz = apart(2, kz, origin_z_, width_z_, pencils_z_, period_.z);
+    for (int ky = around_y.first; ky <= around_y.second; ++ky) {
+      const double dy = apart(1, ky, origin_y_, width_y_, pencils_y_, period_.y);
+      const double left2 = reach * reach - dy * dy - dz * dz;
+      if (left2 <= 0)
+        continue;
+      const double along = std::sqrt(left2);
       const std::size_t pencil =
           static_cast<std::size_t>(wrap(kz, pencils_z_)) * static_cast<std::size_t>(pencils_y_) +
           static_cast<std::size_t>(wrap(ky, pencils_y_));
-      const double* begin = x_.data() + pencil_begin_[pencil];
-      const double* end = x_.data() + pencil_begin_[pencil + 1];
-      const auto from = std::lower_bound(begin, end, x.lower - reach) - x_.data();
-      const auto to = std::upper_bound(begin, end, x.upper + reach) - x_.data();
-      if (from >= to)
+      const auto begin = boxes_.begin() + quad_begin_[pencil], end = boxes_.begin() + quad_begin_[pencil + 1];
+      const auto from =
+          std::partition_point(begin, end, [&](const Box& b) { return b.high[0] < box.low[0] - along; });
+      auto to = from;
+      while (to != end && to->low[0] <= box.high[0] + along)
+        ++to;
+      if (from == to)
         continue;
-      const std::size_t size = found.size();
-      found.resize(size + static_cast<std::size_t>(to - from));
-      const int count =
-          kernels.search(cluster, static_cast<int>(from), static_cast<int>(to), x_.data(), y_.data(),
-                         z_.data(), h_.data(), reach_.data(), period_, found.data() + size, &neighbours);
-      found.resize(size + static_cast<std::size_t>(count));
+      const std::size_t size = found.partners.size();
+      found.partners.resize(size + static_cast<std::size_t>(to - from));
+      const int count = kernels.search(place, places_.data(), static_cast<int>(from - boxes_.begin()),
+                                       static_cast<int>(to - boxes_.begin()), unit,
+                                       found.partners.data() + size, &found.neighbours);
+      found.partners.resize(size + static_cast<std::size_t>(count));
     }
-  cluster.partners = static_cast<std::int32_t>(static_cast<std::int64_t>(found.size()) - cluster.first);
-}
-
-//! Skins in proportion to the speed against the mean motion, within a quarter and five times their mean.
-void Neighbours::choose_reach(const Particles& p)
-{
-  const std::size_t n = p.size();
-  const double count = static_cast<double>(n);
-  const Vector3 mean{ordered_sum(n, [&](std::size_t i) { return p.vx[i]; }) / count,
-                     ordered_sum(n, [&](std::size_t i) { return p.vy[i]; }) / count,
-                     ordered_sum(n, [&](std::size_t i) { return p.vz[i]; }) / count};
-  const auto speed = [&](std::size_t i) { return (p.velocity(i) - mean).norm(); };
-  const double mean_speed = ordered_sum(n, speed) / count;
-  const bool periodic = period_.y > 0 || period_.z > 0; // small boxes leave no room for wide skins
-  reach_.assign(n + cluster_size, 0.0);
-  for_each_row(n, [&](std::size_t i) {
-    const double share = mean_speed > 1e-9 && !periodic ? std::clamp(speed(i) / mean_speed, 0.25, 5.0) : 1.0;
-    reach_[i] = h_[i] + share * skin_;
-  });
+  }
+  list.partners = static_cast<std::int32_t>(static_cast<std::int64_t>(found.partners.size()) - list.first);
+  list.mixed = false;
+  for (std::size_t n = static_cast<std::size_t>(list.first); n < found.partners.size(); ++n)
+    list.mixed |= rest_density_[static_cast<std::size_t>(found.partners[n])] != rest_density_[quad];
 }
 
 void Neighbours::build(const Particles& p)
 {
-  const std::size_t n = p.size();
-  x_ = padded(p.x), y_ = padded(p.y), z_ = padded(p.z), h_ = padded(p.smoothing_length);
-  clusters_.clear();
-  for (std::size_t k = 0; k + 1 < pencil_begin_.size(); ++k)
-    for (std::int32_t begin = pencil_begin_[k]; begin < pencil_begin_[k + 1]; begin += cluster_size)
-      clusters_.push_back({begin, std::min<std::int32_t>(cluster_size, pencil_begin_[k + 1] - begin), 0, 0});
-
-  choose_reach(p);
-  const double longest_reach = range_of(reach_).upper;
-  // Each block of clusters is searched by one thread; then the blocks are put one behind the other.
-  constexpr std::size_t block = 64;
-  const std::size_t blocks = (clusters_.size() + block - 1) / block;
-  std::vector<std::vector<std::int32_t>> found(blocks);
-  std::vector<std::int64_t> neighbours(blocks, 0);
+  cut_quads(p);
+  const double longest_reach = place_quads(p);
+  found_unit_ = units(p.spacing);
+  found_spacing_ = p.spacing;
+  // Each block of quads is searched by one thread; then the blocks are put one behind the other.
+  constexpr std::size_t block = 128;
+  const std::size_t blocks = (quads_.size() + block - 1) / block;
+  found_.resize(blocks);
 #pragma omp parallel for schedule(dynamic, 1)
-  for (std::ptrdiff_t b = 0; b < static_cast<std::ptrdiff_t>(blocks); ++b) {
-    found[b].reserve(block * 260);
-    for (std::size_t c = b * block; c < std::min(clusters_.size(), (b + 1) * block); ++c)
-      search(clusters_[c], longest_reach, found[b], neighbours[b]);
+  for (std::size_t b = 0; b < blocks; ++b) {
+    found_[b].partners.clear();
+    found_[b].neighbours = 0;
+    for (std::size_t q = b * block; q < std::min(quads_.size(), (b + 1) * block); ++q)
+      search(q, longest_reach, found_[b]);
   }
   std::size_t total = 0;
-  std::vector<std::size_t> offset(blocks);
-  for (std::size_t b = 0; b < blocks; ++b) {
-    offset[b] = total;
-    total += found[b].size();
+  std::int64_t pairs = 0;
+  for (Found& found : found_) {
+    found.offset = total;
+    total += found.partners.size();
+    pairs += found.neighbours;
   }
   partners_.resize(total);
 #pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t b = 0; b < static_cast<std::ptrdiff_t>(blocks); ++b) {
-    std::copy(found[b].begin(), found[b].end(), partners_.begin() + static_cast<std::ptrdiff_t>(offset[b]));
-    for (std::size_t c = b * block; c < std::min(clusters_.size(), (b + 1) * block); ++c)
-      clusters_[c].first += static_cast<std::int64_t>(offset[b]);
+  for (std::size_t b = 0; b < blocks; ++b) {
+    std::copy(found_[b].partners.begin(), found_[b].partners.end(),
+              partners_.begin() + static_cast<std::ptrdiff_t>(found_[b].offset));
+    for (std::size_t q = b * block; q < std::min(quads_.size(), (b + 1) * block); ++q)
+      quads_[q].first += static_cast<std::int64_t>(found_[b].offset);
   }
-  std::int64_t pairs = 0;
-  for (const std::int64_t count : neighbours)
-    pairs += count;
-  mean_neighbours_ = static_cast<double>(pairs) / static_cast<double>(n) - 1; // less the particle itself
+  mean_neighbours_ =
+      static_cast<double>(pairs) / static_cast<double>(p.size()) - 1; // less the particle itself
   ++rebuilds_;
 }
 

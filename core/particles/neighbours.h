@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Who acts on whom: particles sorted along pencils of space, clusters of eight, one list of partners a
-// cluster.
+// Who acts on whom: particles sorted along pencils of space, quads of up to four, one list of partners a quad.
 #pragma once
 
-#include "core/particles/pair_kernels.h"
+#include "core/particles/pair_units.h"
 #include "core/particles/particles.h"
 
 #include <vector>
@@ -11,9 +10,10 @@
 namespace birdstrike {
 
 //! Particles are sorted into square pencils along x (two spacings wide, ordered by y, then z) and along x
-//! within a pencil, so that eight consecutive ones are close to each other. The list holds every pair within
-//! h_i + h_j + skin_i + skin_j and is used again until motion could have brought a pair in from outside: that is
-//! measured against the bird's mean motion, so free flight costs no rebuild.
+//! within a pencil, so that four consecutive ones are close to each other; where they are not (debris), a quad
+//! has fewer. The list holds every pair within h_i + h_j + skin_i + skin_j and is used again until motion could
+//! have brought a pair in from outside: that is measured against the bird's mean motion, so free flight costs no
+//! rebuild.
 class Neighbours
 {
 public:
@@ -31,30 +31,48 @@ public:
   //! The lists; \p particles must have been put in the order of sort().
   void build(const Particles& particles);
 
-  const std::vector<Cluster>& clusters() const { return clusters_; }
+  const std::vector<Quad>& quads() const { return quads_; }
   const std::vector<std::int32_t>& partners() const { return partners_; }
+  PairUnits units(double spacing) const { return pair_units(spacing, period_); }
   long rebuilds() const { return rebuilds_; }
   double mean_neighbours() const { return mean_neighbours_; } //!< closer than h_i + h_j at the last build
 
 private:
+  struct Box
+  {
+    double low[3], high[3]; // [m]
+  };
+  struct Found // by one block of quads
+  {
+    std::vector<std::int32_t> partners;
+    std::int64_t neighbours = 0;
+    std::size_t offset = 0;
+  };
+
   double skin_;
   Period period_;
 
   // Pencil (iy, iz) holds rows [pencil_begin_[k], pencil_begin_[k + 1]) with k = iz * pencils_y_ + iy.
   double width_y_ = 0, width_z_ = 0, origin_y_ = 0, origin_z_ = 0; // [m]
   int pencils_y_ = 0, pencils_z_ = 0;
-  std::vector<std::int32_t> pencil_begin_, pencil_of_, order_;
+  std::vector<std::int32_t> pencil_begin_, pencil_of_, order_, next_;
 
-  std::vector<Cluster> clusters_;
+  std::vector<Quad> quads_;
+  std::vector<std::int32_t> quad_begin_; // of each pencil
+  std::vector<Box> boxes_;               // of each quad
+  std::vector<QuadPlace> places_;        // at the last build
+  std::vector<float> rest_density_;      // of each quad; NaN where its rows differ
   std::vector<std::int32_t> partners_;
-  std::vector<double> x_, y_, z_, h_, reach_; // at the last build, padded by a cluster; reach is h + skin [m]
+  std::vector<Found> found_;
+  PairUnits found_unit_; // of places_
+  double found_spacing_ = 0;
   long rebuilds_ = 0;
   double mean_neighbours_ = 0;
 
   int pencil_at(double value, double origin, double width, int count) const;
-  void choose_reach(const Particles& particles);
-  void search(Cluster& cluster, double longest_reach, std::vector<std::int32_t>& found,
-              std::int64_t& neighbours) const;
+  void cut_quads(const Particles& particles);
+  double place_quads(const Particles& particles);
+  void search(std::size_t quad, double longest_reach, Found& found);
 };
 
 //! Put all arrays of the particles in a new order: row k becomes what row order[k] was.
@@ -65,6 +83,7 @@ template <class T>
 void reorder(std::vector<T>& array, const std::vector<std::int32_t>& order, std::vector<T>& scratch)
 {
   scratch.resize(order.size());
+#pragma omp parallel for schedule(static) if (order.size() > 1000)
   for (std::size_t k = 0; k < order.size(); ++k)
     scratch[k] = array[static_cast<std::size_t>(order[k])];
   array.swap(scratch);

@@ -5,41 +5,45 @@
 #include "core/simd.h"
 
 #include <algorithm>
-#include <numbers>
 
 namespace birdstrike {
 namespace {
 
-//! One partner, broadcast to all lanes, or as many particles of a cluster as there are lanes.
-template <class Number>
+constexpr int rows_at_once = lanes / quad_size; // of the quad whose sums are made
+
+//! A quad's numbers, one particle a group of four lanes (ours) or one a lane of each group (the partners').
 struct Side
 {
-  Number x, y, z, vx, vy, vz, h, weight, stress, sound_speed, inertia, rest_density, limiter;
-  Number strain_rate[6];
+  Ints x, y, z;
+  Floats vx, vy, vz, support, stress, sound_speed, inertia, limiter;
+  Floats strain_rate[6];
+  Floats rest_density;
 };
 
-[[gnu::always_inline]] inline Side<Pack> load_side(const PairInput& in, int row)
+//! Rows row ... row + rows_at_once - 1 of a quad.
+BIRDSTRIKE_INLINE Side spread_side(const QuadState& q, int row)
 {
-  return {load(in.x + row),
-          load(in.y + row),
-          load(in.z + row),
-          load(in.vx + row),
-          load(in.vy + row),
-          load(in.vz + row),
-          load(in.h + row),
-          load(in.weight + row),
-          load(in.stress + row),
-          load(in.sound_speed + row),
-          load(in.inertia + row),
-          load(in.rest_density + row),
-          load(in.limiter + row),
-          {load(in.strain_rate[0] + row), load(in.strain_rate[1] + row), load(in.strain_rate[2] + row),
-           load(in.strain_rate[3] + row), load(in.strain_rate[4] + row), load(in.strain_rate[5] + row)}};
+  Side side{spread<Ints>(q.x + row),
+            spread<Ints>(q.y + row),
+            spread<Ints>(q.z + row),
+            spread<Floats>(q.vx + row),
+            spread<Floats>(q.vy + row),
+            spread<Floats>(q.vz + row),
+            spread<Floats>(q.support + row),
+            spread<Floats>(q.stress + row),
+            spread<Floats>(q.sound_speed + row),
+            spread<Floats>(q.inertia + row),
+            spread<Floats>(q.limiter + row),
+            {},
+            spread<Floats>(q.rest_density + row)};
+  for (int c = 0; c < 6; ++c)
+    side.strain_rate[c] = spread<Floats>(q.strain_rate[c] + row);
+  return side;
 }
 
 struct Sums
 {
-  Pack fx{}, fy{}, fz{}, gradient[9]{}, number{}, pressure{}, work{}, heating{}, mu{}, wall{}, wall_y{},
+  Floats fx{}, fy{}, fz{}, gradient[9]{}, number{}, pressure{}, work{}, heating{}, mu{}, wall{}, wall_y{},
       wall_z{};
 };
 
@@ -54,315 +58,328 @@ enum class Seen
 
 struct Vector
 {
-  Pack x, y, z;
+  Floats x, y, z;
 };
 
-//! R_ij of artificial_viscosity.h but for its share: the harmonic mean of d.G d on both sides, zero where they disagree in
-//! sign. The plate turns the sign of the shears that cross it; in general the image of G is that of d.
+//! d.G d, from the symmetric part of G.
+BIRDSTRIKE_INLINE Floats along(const Vector& d, const Floats (&g)[6])
+{
+  return d.x * d.x * g[0] + d.y * d.y * g[1] + d.z * d.z * g[2] + d.x * d.y * g[3] + d.x * d.z * g[4] +
+         d.y * d.z * g[5];
+}
+
+//! Half of the harmonic mean of d.G d on both sides, zero where they disagree in sign: R_ij of artificial_viscosity.h but
+//! for its share. The plate turns the sign of the shears that cross it; in general the image of G is that of d.
 //! \param turned  d mirrored in the wall
 template <Seen seen>
-[[gnu::always_inline]] inline Pack explained(const Side<Pack>& i, const PairInput& in, int j, Pack dx,
-                                             Pack dy, Pack dz, [[maybe_unused]] const Vector& turned)
+BIRDSTRIKE_INLINE Floats explained(const Side& i, const QuadState& q, const Vector& d,
+                                   [[maybe_unused]] const Vector& turned)
 {
-  const Pack xx = dx * dx, yy = dy * dy, zz = dz * dz, xy = dx * dy, xz = dx * dz, yz = dy * dz;
-  const Pack a = xx * i.strain_rate[0] + yy * i.strain_rate[1] + zz * i.strain_rate[2] +
-                 xy * i.strain_rate[3] + xz * i.strain_rate[4] + yz * i.strain_rate[5];
-  Pack b;
-  if constexpr (seen == Seen::in_wall) {
-    const auto& [ex, ey, ez] = turned;
-    b = ex * ex * in.strain_rate[0][j] + ey * ey * in.strain_rate[1][j] + ez * ez * in.strain_rate[2][j] +
-        ex * ey * in.strain_rate[3][j] + ex * ez * in.strain_rate[4][j] + ey * ez * in.strain_rate[5][j];
-  } else {
-    constexpr double turn = seen == Seen::in_plate ? -1 : 1;
-    b = xx * in.strain_rate[0][j] + yy * in.strain_rate[1][j] + zz * in.strain_rate[2][j] +
-        xy * (turn * in.strain_rate[3][j]) + xz * (turn * in.strain_rate[4][j]) + yz * in.strain_rate[5][j];
-  }
-  const Pack product = a * b, zero{};
-  return product > 0.0 ? 2.0 * product / (a + b) : zero;
+  Floats g[6];
+  for (int c = 0; c < 6; ++c)
+    g[c] = tile(q.strain_rate[c]);
+  const Floats a = along(d, i.strain_rate), zero{};
+  Floats b;
+  if constexpr (seen == Seen::in_wall)
+    b = along(turned, g);
+  else if constexpr (seen == Seen::in_plate)
+    b = d.x * d.x * g[0] + d.y * d.y * g[1] + d.z * d.z * g[2] - d.x * d.y * g[3] - d.x * d.z * g[4] +
+        d.y * d.z * g[5];
+  else
+    b = along(d, g);
+  const Floats product = a * b;
+  return product > 0.0f ? product / (a + b) : zero;
 }
 
-//! Add what partner j does to the lanes i. d is x_i - x_j, vx ... v_i - v_j; an image's own values stand at j. A lane
-//! whose support does not reach j, or that is j itself, gets exactly nothing.
+//! Add what the four of quad q do to the lanes i. d is x_i - x_j, v v_i - v_j; an image's own values stand at j. A lane
+//! whose support does not reach j, or that is j itself, gets exactly nothing. Factors that all terms share are left to
+//! store().
 //! \param open  1 where the pair may act, 0 where something stands between
-template <Seen seen, bool limited>
-[[gnu::always_inline]] inline void
-add_pair(Sums& sum, const Side<Pack>& i, const PairInput& in, int j, Pack dx, Pack dy, Pack dz, Pack vx,
-         Pack vy, Pack vz, const PairSettings& s, [[maybe_unused]] Pack open, const Vector& turned = Vector())
+template <Seen seen, bool limited, bool mixed>
+BIRDSTRIKE_INLINE void add_pairs(Sums& sum, const Side& i, const QuadState& q, const Vector& d,
+                                 const Vector& v, float beta, [[maybe_unused]] Floats open,
+                                 const Vector& turned = Vector())
 {
-  const Pack zero{};
-  const Pack h = 0.5 * (i.h + in.h[j]);
-  const Pack r2 = dx * dx + dy * dy + dz * dz;
-  const Pack r = max(sqrt(r2), 1e-9 * h);
-  // Their inverses, and those of two more numbers, from one division.
-  const Pack third = limited ? i.inertia + in.inertia[j] : r2 + 0.01 * h * h;
-  const Pack fourth = i.rest_density + in.rest_density[j];
-  const Pack hr = h * r, last = third * fourth, inverse = 1.0 / (hr * last);
-  const Pack inverse_h = inverse * r * last, inverse_r = inverse * h * last,
-             inverse_third = inverse * hr * fourth, inverse_fourth = inverse * hr * third;
+  const Floats zero{};
+  const Floats reach = i.support + tile(q.support); // 2 h_ij: where the kernel ends
+  const Floats r2 = max(d.x * d.x + d.y * d.y + d.z * d.z, zero + 1e-12f);
+  const Floats inverse_r = 1.0f / sqrt(r2);
+  const Floats inverse_reach = 1.0f / reach;
 
-  // (1/r) dW/dr of 4.13 in truncated powers: -3/4 [(2-q)^2 - 4 (1-q)^2] / (pi h^4 r)
-  const Pack q = r * inverse_h;
-  const Pack a = max(2.0 - q, zero), b = max(1.0 - q, zero);
-  const Pack inverse_h2 = inverse_h * inverse_h;
-  Pack slope = (a * a - 4.0 * b * b) * inverse_h2 * inverse_h2 * inverse_r * (-0.75 / std::numbers::pi);
-  Pack value = (0.25 * a * a * a - b * b * b) * inverse_h2 * inverse_h;
+  // 4.13 in truncated powers of s = r / (2h): W = 8 (2 A^3 - B^3) / (pi (2h)^3), A = 1 - s, B = 1 - 2s,
+  // and -(1/r) dW/dr = 48 (A^2 - B^2) / (pi (2h)^4 r)
+  const Floats s = r2 * inverse_r * inverse_reach;
+  const Floats a = max(1.0f - s, zero), b = max(1.0f - 2.0f * s, zero);
+  const Floats a2 = a * a, b2 = b * b, inverse_reach2 = inverse_reach * inverse_reach;
+  const Floats weight = tile(q.weight);
+  Floats k = weight * (a2 - b2) * (inverse_reach2 * inverse_reach2) * inverse_r; // a sixth of -V (1/r) dW/dr
+  Floats counted = weight * (2.0f * a * a2 - b * b2) * (inverse_reach2 * inverse_reach);
   if constexpr (seen != Seen::direct) {
-    slope *= open;
-    value *= open;
+    k *= open;
+    counted *= open;
   }
 
-  const Pack closing = dx * vx + dy * vy + dz * vz; // v_ij.d
-  const Pack approach = min(closing, zero);
-  const Pack sound_speed = 0.5 * (i.sound_speed + in.sound_speed[j]);
-  Pack speed, viscosity; // U or |mu|, and Q of artificial_viscosity.h
+  const Floats closing = d.x * v.x + d.y * v.y + d.z * v.z; // v_ij.d
+  const Floats approach = min(closing, zero);
+  const Floats sound_speed = i.sound_speed + tile(q.sound_speed); // times alpha
+  const Floats inertia_j = tile(q.inertia);
+  Floats speed, viscosity; // U or |mu|, and Q of artificial_viscosity.h
   if constexpr (limited) {
-    const Pack smooth = explained<seen>(i, in, j, dx, dy, dz, turned);
-    const Pack share = 1.0 - 0.5 * (i.limiter + in.limiter[j]);
+    const Floats smooth = explained<seen>(i, q, d, turned);
+    const Floats share = 2.0f - (i.limiter + tile(q.limiter)); // doubled, as smooth is halved
     speed = min(max(share * smooth - approach, zero), -approach) * inverse_r;
-    viscosity =
-        2.0 * i.inertia * in.inertia[j] * inverse_third * speed * (s.alpha * sound_speed + s.beta * speed);
+    viscosity = 2.0f * i.inertia * inertia_j / (i.inertia + inertia_j) * speed * (sound_speed + beta * speed);
   } else {
-    speed = -approach * h * inverse_third;
-    viscosity = 0.25 * (i.inertia + in.inertia[j]) * (i.limiter + in.limiter[j]) * speed *
-                (s.alpha * sound_speed + s.beta * speed);
+    speed = -0.5f * approach * reach / (r2 + 0.0025f * reach * reach);
+    viscosity = 0.25f * (i.inertia + inertia_j) * (i.limiter + tile(q.limiter)) * speed *
+                (sound_speed + beta * speed);
   }
 
-  const double weight = in.weight[j];
-  const Pack counted = (weight / std::numbers::pi) * value;
   sum.number += counted;
-  sum.pressure += counted * in.pressure[j];
-  const Pack k = weight * slope;
-  const Pack share_i = 2.0 * in.rest_density[j] * inverse_fourth,
-             share_j = 2.0 * i.rest_density * inverse_fourth;
-  const Pack push = -k * (share_i * i.stress + share_j * in.stress[j] + viscosity);
-  sum.work += share_i * k * closing;
-  sum.fx += push * dx;
-  sum.fy += push * dy;
-  sum.fz += push * dz;
-  if constexpr (seen == Seen::in_plate || seen == Seen::in_wall)
-    sum.wall += push * dx;
-  if constexpr (seen == Seen::in_wall) {
-    sum.wall_y += push * dy;
-    sum.wall_z += push * dz;
+  sum.pressure += counted * tile(q.pressure);
+  Floats push;
+  if constexpr (mixed) {
+    const Floats rest_j = tile(q.rest_density), inverse = 2.0f / (i.rest_density + rest_j);
+    const Floats share_i = rest_j * inverse, share_j = i.rest_density * inverse;
+    push = k * (share_i * i.stress + share_j * tile(q.stress) + viscosity);
+    sum.work += share_i * k * closing;
+  } else {
+    push = k * (i.stress + tile(q.stress) + viscosity);
+    sum.work += k * closing;
   }
-  const Pack gx = k * dx, gy = k * dy, gz = k * dz;
-  sum.gradient[0] -= vx * gx;
-  sum.gradient[1] -= vx * gy;
-  sum.gradient[2] -= vx * gz;
-  sum.gradient[3] -= vy * gx;
-  sum.gradient[4] -= vy * gy;
-  sum.gradient[5] -= vy * gz;
-  sum.gradient[6] -= vz * gx;
-  sum.gradient[7] -= vz * gy;
-  sum.gradient[8] -= vz * gz;
-  sum.heating += (0.5 * k) * viscosity * approach;
-  sum.mu = max(sum.mu, slope < 0.0 ? speed : zero);
+  sum.fx += push * d.x;
+  sum.fy += push * d.y;
+  sum.fz += push * d.z;
+  if constexpr (seen == Seen::in_plate || seen == Seen::in_wall)
+    sum.wall += push * d.x;
+  if constexpr (seen == Seen::in_wall) {
+    sum.wall_y += push * d.y;
+    sum.wall_z += push * d.z;
+  }
+  const Floats gx = k * d.x, gy = k * d.y, gz = k * d.z;
+  sum.gradient[0] += v.x * gx;
+  sum.gradient[1] += v.x * gy;
+  sum.gradient[2] += v.x * gz;
+  sum.gradient[3] += v.y * gx;
+  sum.gradient[4] += v.y * gy;
+  sum.gradient[5] += v.y * gz;
+  sum.gradient[6] += v.z * gx;
+  sum.gradient[7] += v.z * gy;
+  sum.gradient[8] += v.z * gz;
+  sum.heating += k * viscosity * approach;
+  sum.mu = max(sum.mu, k > 0.0f ? speed : zero);
 }
 
-//! Nearest image of a difference in a box that repeats.
-[[gnu::always_inline]] inline Pack nearest_image(Pack d, double length)
+struct Unit
 {
-  if (length > 0) {
-    const Pack half = Pack{} + 0.5 * length;
-    d = d > half ? d - length : d;
-    d = d < -half ? d + length : d;
-  }
-  return d;
+  float x, y, z;
+};
+
+BIRDSTRIKE_INLINE Vector difference(const Side& i, const QuadState& q, const Unit& unit)
+{
+  return {to_floats(i.x - tile(q.x)) * unit.x, to_floats(i.y - tile(q.y)) * unit.y,
+          to_floats(i.z - tile(q.z)) * unit.z};
+}
+BIRDSTRIKE_INLINE Vector relative_velocity(const Side& i, const QuadState& q)
+{
+  return {i.vx - tile(q.vx), i.vy - tile(q.vy), i.vz - tile(q.vz)};
+}
+
+//! The lanes' own walls.
+struct Walls
+{
+  Floats x, y, z, height, speed, open;
+};
+BIRDSTRIKE_INLINE Walls spread_walls(const QuadWalls& w, int row)
+{
+  return {spread<Floats>(w.x + row),      spread<Floats>(w.y + row),     spread<Floats>(w.z + row),
+          spread<Floats>(w.height + row), spread<Floats>(w.speed + row), spread<Floats>(w.open + row)};
+}
+
+BIRDSTRIKE_INLINE bool any_open(const QuadWalls& w)
+{
+  return w.open[0] > 0 || w.open[1] > 0 || w.open[2] > 0 || w.open[3] > 0;
 }
 
 //! 1, less where a wall stands between the lanes and j: each behind the other's, and these face apart.
-[[gnu::always_inline]] inline Pack open_past_walls(const Side<Pack>& i, const PairInput& in, int row, int j)
+BIRDSTRIKE_INLINE Floats open_past_walls(const Walls& i, const QuadWalls& w, const Vector& d)
 {
-  const Pack zero{}, one = zero + 1.0;
-  if (in.wall_open[j] <= 0)
-    return one;
-  const Pack nx = load(in.wall_x + row), ny = load(in.wall_y + row), nz = load(in.wall_z + row);
-  const Pack of_j = in.x[j] * nx + in.y[j] * ny + in.z[j] * nz - load(in.wall_at + row);
-  const Pack of_i = i.x * in.wall_x[j] + i.y * in.wall_y[j] + i.z * in.wall_z[j] - in.wall_at[j];
-  const Pack facing = in.wall_x[j] * nx + in.wall_y[j] * ny + in.wall_z[j] * nz;
-  Pack shut = min(load(in.wall_open + row), zero + in.wall_open[j]);
-  shut = of_j < 0.0 ? shut : zero;
-  shut = of_i < 0.0 ? shut : zero;
-  shut = facing < 0.0 ? shut : zero;
+  const Floats zero{}, one = zero + 1.0f;
+  const Floats x = tile(w.x), y = tile(w.y), z = tile(w.z);
+  const Floats of_j = i.height - (d.x * i.x + d.y * i.y + d.z * i.z);
+  const Floats of_i = tile(w.height) + (d.x * x + d.y * y + d.z * z);
+  const Floats facing = x * i.x + y * i.y + z * i.z;
+  Floats shut = min(i.open, tile(w.open));
+  shut = of_j < 0.0f ? shut : zero;
+  shut = of_i < 0.0f ? shut : zero;
+  shut = facing < 0.0f ? shut : zero;
   return one - shut;
 }
 
-template <bool periodic, bool limited, bool walls>
-Sums sum_direct(const Side<Pack>& i, [[maybe_unused]] int row, const std::int32_t* partners, int count,
-                const PairInput& in, const PairSettings& s)
+template <bool limited, bool mixed, bool walls>
+void add_direct(Sums& sum, const Side& i, [[maybe_unused]] const Walls& wall, const std::int32_t* partners,
+                int count, const PairInput& in, const Unit& unit, float beta)
 {
-  Sums sum;
   for (int n = 0; n < count; ++n) {
-    const int j = partners[n];
-    Pack dy = i.y - in.y[j], dz = i.z - in.z[j];
-    if constexpr (periodic) {
-      dy = nearest_image(dy, s.period.y);
-      dz = nearest_image(dz, s.period.z);
-    }
-    Pack open{};
+    const QuadState& q = in.quads[partners[n]];
+    const Vector d = difference(i, q, unit);
+    Floats open{};
     if constexpr (walls)
-      open = open_past_walls(i, in, row, j);
-    add_pair<walls ? Seen::past_wall : Seen::direct, limited>(
-        sum, i, in, j, i.x - in.x[j], dy, dz, i.vx - in.vx[j], i.vy - in.vy[j], i.vz - in.vz[j], s, open);
+      open = open_past_walls(wall, in.walls[partners[n]], d);
+    add_pairs<walls ? Seen::past_wall : Seen::direct, limited, mixed>(sum, i, q, d, relative_velocity(i, q),
+                                                                      beta, open);
   }
-  return sum;
 }
 
-//! The images of the partners behind the plate. An image is never nearer than its original, so the cluster's
+//! The images of the partners behind the plate. An image is never nearer than its original, so the quad's
 //! own list holds all that can matter. A pair acts where the line from lane to image passes through the
 //! plate, which is the same point for i and the image of j as for j and the image of i: action stays equal to
 //! reaction at the rim.
-template <bool periodic, bool limited>
-void add_images(Sums& sum, const Side<Pack>& i, const std::int32_t* partners, int count, const PairInput& in,
-                const PairSettings& s)
+template <bool limited, bool mixed>
+void add_images(Sums& sum, const Side& i, Floats absolute_y, Floats absolute_z, const std::int32_t* partners,
+                int count, const PairInput& in, const Unit& unit, const PairSettings& s)
 {
-  const Pack zero{}, one = zero + 1.0;
+  const Floats zero{}, one = zero + 1.0f;
+  const Floats own_x = to_floats(i.x) * unit.x;
+  const auto half_y = static_cast<float>(s.plate.half_y), half_z = static_cast<float>(s.plate.half_z);
   for (int n = 0; n < count; ++n) {
-    const int j = partners[n];
-    if (in.x[j] >= 0)
-      continue;
-    Pack dy = i.y - in.y[j], dz = i.z - in.z[j];
-    if constexpr (periodic) {
-      dy = nearest_image(dy, s.period.y);
-      dz = nearest_image(dz, s.period.z);
+    const QuadState& q = in.quads[partners[n]];
+    Vector d = difference(i, q, unit), v = relative_velocity(i, q);
+    const Floats x_j = to_floats(tile(q.x)) * unit.x;
+    d.x = own_x + x_j; // x_i - (-x_j) < 0
+    v.x = i.vx + tile(q.vx);
+    Floats open = own_x < 0.0f ? one : zero;
+    open = x_j < 0.0f ? open : zero;
+    if (!s.plate.endless) {
+      const Floats share = own_x / min(d.x, zero - 1e-30f); // of the way to the image
+      const Floats cross_y = absolute_y - share * d.y, cross_z = absolute_z - share * d.z;
+      open = max(cross_y, -cross_y) <= half_y ? open : zero;
+      open = max(cross_z, -cross_z) <= half_z ? open : zero;
     }
-    const Pack dx = i.x + in.x[j];                   // x_i - (-x_j) < 0
-    const Pack share = i.x / min(dx, zero - 1e-300); // of the way to the image
-    const Pack cross_y = i.y - share * dy, cross_z = i.z - share * dz;
-    Pack open = i.x < 0.0 ? one : zero;
-    if constexpr (!periodic) {
-      open = max(cross_y, -cross_y) <= s.plate.half_y ? open : zero;
-      open = max(cross_z, -cross_z) <= s.plate.half_z ? open : zero;
-    }
-    add_pair<Seen::in_plate, limited>(sum, i, in, j, dx, dy, dz, i.vx + in.vx[j], i.vy - in.vy[j],
-                                      i.vz - in.vz[j], s, open);
+    add_pairs<Seen::in_plate, limited, mixed>(sum, i, q, d, v, static_cast<float>(s.beta), open);
   }
 }
 
 //! The images of the partners in the lanes' own walls. A pair acts where both stand before walls that face one way.
-template <bool limited>
-void add_wall_images(Sums& sum, const Side<Pack>& i, int row, const std::int32_t* partners, int count,
-                     const PairInput& in, const PairSettings& s)
+template <bool limited, bool mixed>
+void add_wall_images(Sums& sum, const Side& i, const Walls& wall, const std::int32_t* partners, int count,
+                     const PairInput& in, const Unit& unit, float beta)
 {
-  constexpr double same_way = 0.5; // cosine between the normals: the other side of an edge has its own flow
-  const Pack zero{};
-  const Pack nx = load(in.wall_x + row), ny = load(in.wall_y + row), nz = load(in.wall_z + row),
-             at = load(in.wall_at + row), speed = load(in.wall_speed + row),
-             open_i = load(in.wall_open + row);
-  const Pack height_i = i.x * nx + i.y * ny + i.z * nz - at;
+  constexpr float same_way = 0.5f; // cosine between the normals: the other side of an edge has its own flow
+  const Floats zero{};
   for (int n = 0; n < count; ++n) {
-    const int j = partners[n];
-    if (in.wall_open[j] <= 0)
+    const QuadState& q = in.quads[partners[n]];
+    const QuadWalls& w = in.walls[partners[n]];
+    if (!any_open(w))
       continue;
-    const Pack height = in.x[j] * nx + in.y[j] * ny + in.z[j] * nz - at; // of j above the lane's wall
-    const Pack facing = in.wall_x[j] * nx + in.wall_y[j] * ny + in.wall_z[j] * nz;
-    Pack open = min(open_i, zero + in.wall_open[j]);
-    open = height > 0.0 ? open : zero;
-    open = height_i > 0.0 ? open : zero;
+    const Vector direct = difference(i, q, unit), apart = relative_velocity(i, q);
+    const Floats height = // of j above the lane's wall
+        wall.height - (direct.x * wall.x + direct.y * wall.y + direct.z * wall.z);
+    const Floats facing = tile(w.x) * wall.x + tile(w.y) * wall.y + tile(w.z) * wall.z;
+    Floats open = min(wall.open, tile(w.open));
+    open = height > 0.0f ? open : zero;
+    open = wall.height > 0.0f ? open : zero;
     open = facing > same_way ? open : zero;
-    const Pack lift = 2.0 * height;
-    const Pack dx = i.x - in.x[j] + lift * nx, dy = i.y - in.y[j] + lift * ny, dz = i.z - in.z[j] + lift * nz;
-    const Pack away = 2.0 * (in.vx[j] * nx + in.vy[j] * ny + in.vz[j] * nz - speed);
-    const Pack across = 2.0 * (dx * nx + dy * ny + dz * nz);
-    add_pair<Seen::in_wall, limited>(sum, i, in, j, dx, dy, dz, i.vx - in.vx[j] + away * nx,
-                                     i.vy - in.vy[j] + away * ny, i.vz - in.vz[j] + away * nz, s, open,
-                                     {dx - across * nx, dy - across * ny, dz - across * nz});
+    const Floats lift = 2.0f * height;
+    const Vector d{direct.x + lift * wall.x, direct.y + lift * wall.y, direct.z + lift * wall.z};
+    const Floats away = 2.0f * (tile(q.vx) * wall.x + tile(q.vy) * wall.y + tile(q.vz) * wall.z - wall.speed);
+    const Vector v{apart.x + away * wall.x, apart.y + away * wall.y, apart.z + away * wall.z};
+    const Floats across = 2.0f * (d.x * wall.x + d.y * wall.y + d.z * wall.z);
+    add_pairs<Seen::in_wall, limited, mixed>(
+        sum, i, q, d, v, beta, open, {d.x - across * wall.x, d.y - across * wall.y, d.z - across * wall.z});
   }
 }
 
-[[gnu::always_inline]] inline void store(double* to, Pack pack, int count)
+//! Lanes of one row together, times what the terms left out.
+BIRDSTRIKE_INLINE void store(const Sums& sum, QuadSums& to, int row)
 {
-  std::memcpy(to, &pack, static_cast<std::size_t>(count) * sizeof(double));
-}
-
-//! The lanes row ... row + count - 1 of a cluster.
-template <bool periodic, bool limited>
-void rates_of(const Cluster& cluster, int row, int count, const std::int32_t* all_partners,
-              const PairInput& in, const PairSettings& s, const PairOutput& out)
-{
-  const std::int32_t* partners = all_partners + cluster.first;
-  const Side<Pack> i = load_side(in, row);
-  bool wall = false; // does one of the lanes stand before one?
-  for (int l = 0; in.wall_open && l < count; ++l)
-    wall = wall || in.wall_open[row + l] > 0;
-  Sums sum = wall ? sum_direct<periodic, limited, true>(i, row, partners, cluster.partners, in, s)
-                  : sum_direct<periodic, limited, false>(i, row, partners, cluster.partners, in, s);
-
-  if (s.plate.present) {
-    double nearest = -1e300;
-    for (int l = 0; l < count; ++l)
-      nearest = i.x[l] < 0 && i.x[l] > nearest ? i.x[l] : nearest;
-    if (nearest > -s.plate.reach)
-      add_images<periodic, limited>(sum, i, partners, cluster.partners, in, s);
-  }
-
-  if (in.wall_open) {
-    if (wall)
-      add_wall_images<limited>(sum, i, row, partners, cluster.partners, in, s);
-    store(out.wall_y + row, sum.wall_y, count);
-    store(out.wall_z + row, sum.wall_z, count);
-  }
-
-  store(out.fx + row, sum.fx, count);
-  store(out.fy + row, sum.fy, count);
-  store(out.fz + row, sum.fz, count);
+  const auto add = [](Floats a, Floats b) { return a + b; };
+  const auto total = [&](Floats a, float factor, float* out) { fold(factor * a, out + row, add); };
+  total(sum.fx, 6, to.fx);
+  total(sum.fy, 6, to.fy);
+  total(sum.fz, 6, to.fz);
   for (int c = 0; c < 9; ++c)
-    store(out.gradient[c] + row, sum.gradient[c], count);
-  store(out.number + row, sum.number, count);
-  store(out.pressure + row, sum.pressure, count);
-  store(out.work + row, sum.work, count);
-  store(out.heating + row, sum.heating, count);
-  store(out.mu + row, sum.mu, count);
-  store(out.wall + row, sum.wall, count);
+    total(sum.gradient[c], 6, to.gradient[c]);
+  total(sum.number, 1, to.number);
+  total(sum.pressure, 1, to.pressure);
+  total(sum.work, -6, to.work);
+  total(sum.heating, -3, to.heating);
+  fold(sum.mu, to.mu + row, [](Floats a, Floats b) { return max(a, b); });
+  total(sum.wall, 6, to.wall);
+  total(sum.wall_y, 6, to.wall_y);
+  total(sum.wall_z, 6, to.wall_z);
 }
 
-template <bool periodic, bool limited>
-void rates_as(const Cluster* clusters, int begin, int end, const std::int32_t* partners, const PairInput& in,
-              const PairSettings& settings, const PairOutput& out)
+template <bool limited, bool mixed>
+void rates_of(int quad, const Quad& list, const std::int32_t* all_partners, const PairInput& in,
+              const PairSettings& s, QuadSums& sums)
 {
-  for (int c = begin; c < end; ++c)
-    for (int lane = 0; lane < clusters[c].count; lane += lanes) {
-      const int row = clusters[c].begin + lane, count = std::min(lanes, clusters[c].count - lane);
-      rates_of<periodic, limited>(clusters[c], row, count, partners, in, settings, out);
+  const std::int32_t* partners = all_partners + list.first;
+  const Unit unit{static_cast<float>(s.unit.x), static_cast<float>(s.unit.y), static_cast<float>(s.unit.z)};
+  const auto beta = static_cast<float>(s.beta);
+  const QuadState& own = in.quads[quad];
+  const bool before_wall = in.walls && any_open(in.walls[quad]);
+  for (int row = 0; row < list.count; row += rows_at_once) {
+    const Side i = spread_side(own, row);
+    Sums sum;
+    if (before_wall) {
+      const Walls wall = spread_walls(in.walls[quad], row);
+      add_direct<limited, mixed, true>(sum, i, wall, partners, list.partners, in, unit, beta);
+      add_wall_images<limited, mixed>(sum, i, wall, partners, list.partners, in, unit, beta);
+    } else {
+      add_direct<limited, mixed, false>(sum, i, Walls(), partners, list.partners, in, unit, beta);
     }
+    if (s.plate.present && in.ahead[quad])
+      add_images<limited, mixed>(sum, i, spread<Floats>(in.absolute_y + quad * quad_size + row),
+                                 spread<Floats>(in.absolute_z + quad * quad_size + row), partners,
+                                 list.partners, in, unit, s);
+    store(sum, sums, row);
+  }
 }
 
-void rates(const Cluster* clusters, int begin, int end, const std::int32_t* partners, const PairInput& in,
-           const PairSettings& settings, const PairOutput& out)
+void rates(const Quad* quads, int begin, int end, const std::int32_t* partners, const PairInput& in,
+           const PairSettings& settings, QuadSums* sums)
 {
-  const bool periodic = settings.period.y > 0 || settings.period.z > 0;
-  const auto loop = settings.limited ? (periodic ? rates_as<true, true> : rates_as<false, true>)
-                                     : (periodic ? rates_as<true, false> : rates_as<false, false>);
-  loop(clusters, begin, end, partners, in, settings, out);
+  const FlushToZero flush;
+  for (int q = begin; q < end; ++q) {
+    const bool mixed = quads[q].mixed;
+    const auto sum = settings.limited ? (mixed ? rates_of<true, true> : rates_of<true, false>)
+                                      : (mixed ? rates_of<false, true> : rates_of<false, false>);
+    sum(q, quads[q], partners, in, settings, sums[q - begin]);
+  }
 }
 
-int search(const Cluster& cluster, int begin, int end, const double* x, const double* y, const double* z,
-           const double* h, const double* reach, Period period, std::int32_t* found, std::int64_t* neighbours)
+int search(const QuadPlace& quad, const QuadPlace* places, int begin, int end, const PairUnits& unit,
+           std::int32_t* found, std::int64_t* neighbours)
 {
-  constexpr int most_packs = cluster_size / lanes;
-  const int packs = (cluster.count + lanes - 1) / lanes;
-  Pack xi[most_packs]{}, yi[most_packs]{}, zi[most_packs]{}, hi[most_packs]{}, reach_i[most_packs]{};
-  for (int k = 0; k < packs; ++k) {
-    const int row = cluster.begin + k * lanes;
-    xi[k] = load(x + row), yi[k] = load(y + row), zi[k] = load(z + row), hi[k] = load(h + row),
-    reach_i[k] = load(reach + row);
-    for (int l = 0; l < lanes; ++l)
-      if (k * lanes + l >= cluster.count)
-        hi[k][l] = reach_i[k][l] = -1e300; // idle lanes reach nothing
+  const FlushToZero flush;
+  const Floats zero{};
+  const auto ux = static_cast<float>(unit.x), uy = static_cast<float>(unit.y),
+             uz = static_cast<float>(unit.z);
+  Ints x[quad_size / rows_at_once], y[quad_size / rows_at_once], z[quad_size / rows_at_once];
+  Floats support[quad_size / rows_at_once], reach[quad_size / rows_at_once];
+  for (int k = 0; k < quad_size / rows_at_once; ++k) {
+    const int row = k * rows_at_once;
+    x[k] = spread<Ints>(quad.x + row), y[k] = spread<Ints>(quad.y + row), z[k] = spread<Ints>(quad.z + row);
+    support[k] = spread<Floats>(quad.support + row), reach[k] = spread<Floats>(quad.reach + row);
   }
   int count = 0;
-  PackMask close{};
+  Ints close{};
   for (int j = begin; j < end; ++j) {
-    PackMask reached{};
-    for (int k = 0; k < packs; ++k) {
-      const Pack dx = xi[k] - x[j];
-      const Pack dy = nearest_image(yi[k] - y[j], period.y), dz = nearest_image(zi[k] - z[j], period.z);
-      const Pack r2 = dx * dx + dy * dy + dz * dz;
-      const Pack support = max(hi[k] + h[j], Pack{}), listed = max(reach_i[k] + reach[j], Pack{});
-      close -= r2 < support * support; // true is -1
-      reached |= r2 < listed * listed;
+    const QuadPlace& p = places[j];
+    Ints listed{};
+    for (int k = 0; k < quad_size / rows_at_once; ++k) {
+      const Floats dx = to_floats(x[k] - tile(p.x)) * ux, dy = to_floats(y[k] - tile(p.y)) * uy,
+                   dz = to_floats(z[k] - tile(p.z)) * uz;
+      const Floats r2 = dx * dx + dy * dy + dz * dz;
+      const Floats near = max(support[k] + tile(p.support), zero), far = max(reach[k] + tile(p.reach), zero);
+      close -= r2 < near * near; // true is -1
+      listed |= r2 < far * far;
     }
-    if (any(reached))
+    bool any = false;
+    for (int l = 0; l < lanes; ++l)
+      any = any || listed[l] != 0;
+    if (any)
       found[count++] = j;
   }
   for (int l = 0; l < lanes; ++l)

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The two loops over pairs of particles that cost nearly all the time, as plain functions over plain arrays.
+// The two loops over pairs of particles that cost nearly all the time, as plain functions over plain records.
 // They are compiled once for each instruction set (pair_kernels.cpp); pair_kernels() picks at run time.
 //
-// Particles come in clusters of eight neighbours in space; a cluster has one list of partners for all its
-// lanes. So the partner is broadcast and the eight lanes are loaded side by side: no gathers, no horizontal
-// sums, and each particle's sum has one fixed order whatever the number of threads.
+// Particles come in quads, up to four that are close to each other, and the list says which quad meets which. A pair of
+// quads is sixteen pairs of particles: one side is loaded four times over, the other has each number four times, and
+// nothing is gathered. Each particle's sum has one fixed order whatever the number of threads.
+//
+// The state is in double precision, pairs are computed in single. So that a difference of positions loses nothing,
+// positions are whole numbers of a tiny unit, modulo 2^32: 2^-26 of a spacing, or 2^-32 of a box that repeats, in which
+// the nearest image then costs nothing. Differences are exact wherever the pair is, and d_ij = -d_ji to the bit. All
+// listed pairs are nearer than 2^31 units, because quads are compact (neighbours.h).
 #pragma once
 
 #include <cstdint>
@@ -12,87 +17,112 @@
 
 namespace birdstrike {
 
-constexpr int cluster_size = 8; // rows; the lanes of AVX-512 in double precision
+constexpr int quad_size = 4;
 
-//! Up to cluster_size consecutive rows.
-struct Cluster
+//! Up to quad_size consecutive rows of particles; record k of the arrays below belongs to quad k.
+struct Quad
 {
-  std::int32_t begin; //!< first row
-  std::int32_t count; //!< 1 ... cluster_size rows in use
-  std::int64_t first; //!< of its partners
-  std::int32_t partners;
+  std::int32_t begin;    //!< first row
+  std::int16_t count;    //!< 1 ... quad_size rows in use
+  bool mixed;            //!< does one of its partners have another rest density than one of its own rows?
+  std::int64_t first;    //!< of its partners, quads
+  std::int32_t partners; //!< how many; itself among them
 };
 
-//! Periodic lengths along y and z; 0 where the box does not repeat [m].
-struct Period
+//! Where a quad is and how far it reaches, for the search. Idle lanes have a reach of -1e30.
+struct alignas(16) QuadPlace
 {
-  double y = 0, z = 0;
+  std::int32_t x[quad_size], y[quad_size], z[quad_size]; //!< see PairUnits
+  float support[quad_size];                              //!< h [spacings]
+  float reach[quad_size];                                //!< h and skin [spacings]
 };
 
-//! What the rates of one particle need of another; N + 8 entries each, the last eight only read by idle
-//! lanes.
-struct PairInput
+//! What the rates of one particle need of another. Idle lanes have no weight and stand where the quad's first row stands.
+struct alignas(64) QuadState
 {
-  const double *x, *y, *z, *vx, *vy, *vz; //!< [m], [m/s]
-  const double* h;                        //!< smoothing length [m]
-  const double* weight;                   //!< V = m / rho0 over the lattice's sum V W [m3]
-  const double* pressure;                 //!< [Pa]
-  const double* stress;                   //!< (p + q) / x^2, x = rho / rho0 [Pa]
-  const double* sound_speed;              //!< [m/s]
-  const double* inertia;                  //!< rho / x^2, what stands in Q_ij for the density [kg/m3]
-  const double* rest_density;             //!< rho0 [kg/m3]
-  const double* limiter;                  //!< f of artificial_viscosity.h [-]
-  const double *wall_x, *wall_y,
-      *wall_z; //!< normal of the particle's own mirror (mirror_planes.h) [-]; null: none has one
-  const double *wall_at, *wall_speed; //!< its offset and speed along the normal [m], [m/s]
-  const double* wall_open;            //!< 0 for none, up to 1 [-]
-  const double* strain_rate[6];       //!< xx, yy, zz, and the sums xy + yx, xz + zx, yz + zy of grad v [1/s]
+  std::int32_t x[quad_size], y[quad_size], z[quad_size]; //!< see PairUnits
+  float vx[quad_size], vy[quad_size], vz[quad_size];     //!< [m/s]
+  float support[quad_size];                              //!< h [spacings]
+  float weight[quad_size];         //!< 8 / pi V, V = m / rho0 over the lattice's sum V W [spacings^3]
+  float pressure[quad_size];       //!< [Pa]
+  float stress[quad_size];         //!< (p + q) / x^2, x = rho / rho0 [Pa]
+  float sound_speed[quad_size];    //!< times alpha / 2 [m/s]
+  float inertia[quad_size];        //!< rho / x^2, what stands in Q_ij for the density [kg/m3]
+  float limiter[quad_size];        //!< f of artificial_viscosity.h [-]
+  float strain_rate[6][quad_size]; //!< xx, yy, zz, and xy + yx, xz + zx, yz + zy of grad v [m/s per spacing]
+  float rest_density[quad_size];   //!< rho0 [kg/m3]
 };
 
-//! Sums over partners, N + 8 entries each.
-struct PairOutput
+//! The particles' own mirrors (mirror_planes.h).
+struct alignas(64) QuadWalls
 {
-  double *fx, *fy, *fz; //!< rho0 dv/dt: - sum V_j (a_ij stress_i + a_ji stress_j + Q_ij) grad_i W_ij [N/m3]
-  double*
-      gradient[9];  //!< row-major: sum V_j (v_j - v_i) (x) grad_i W_ij, x times the velocity gradient [1/s]
-  double* number;   //!< sum V_j W_ij, the compression [-]
-  double* pressure; //!< sum V_j p_j W_ij [Pa]
-  double* work;     //!< sum V_j a_ij (v_i - v_j) . grad_i W_ij, a_ij = 2 rho0_j / (rho0_i + rho0_j) [1/s]
-  double* heating;  //!< rho0 times the viscous heating [W/m3]
-  double* mu;       //!< largest |mu_ij| or U_ij [m/s]
-  double *wall, *wall_y,
-      *wall_z; //!< shares of fx, fy, fz that came from mirror images; the last two of walls only [N/m3]
+  float x[quad_size], y[quad_size], z[quad_size]; //!< normal [-]
+  float height[quad_size];                        //!< of the particle above its wall [spacings]
+  float speed[quad_size];                         //!< along the normal [m/s]
+  float open[quad_size];                          //!< 0 for none, up to 1 [-]
 };
 
-//! A rigid plate in x = 0, |y| <= half_y, |z| <= half_z, that mirrors what stands in front of it (x < 0).
+//! Sums over partners; lengths in spacings.
+struct alignas(64) QuadSums
+{
+  float fx[quad_size], fy[quad_size],
+      fz[quad_size]; //!< rho0 dv/dt: - sum V_j (a_ij stress_i + a_ji stress_j + Q_ij) grad_i W_ij [Pa/spacing]
+  float gradient
+      [9]
+      [quad_size]; //!< row-major: sum V_j (v_j - v_i) (x) grad_i W_ij, x times the velocity gradient [m/s per spacing]
+  float number[quad_size];   //!< sum V_j W_ij, the compression [-]
+  float pressure[quad_size]; //!< sum V_j p_j W_ij [Pa]
+  float work
+      [quad_size]; //!< sum V_j a_ij (v_i - v_j) . grad_i W_ij, a_ij = 2 rho0_j / (rho0_i + rho0_j) [m/s per spacing]
+  float heating[quad_size]; //!< rho0 times the viscous heating [Pa m/s per spacing]
+  float mu[quad_size];      //!< largest |mu_ij| or U_ij [m/s]
+  float wall[quad_size], wall_y[quad_size],
+      wall_z[quad_size]; //!< shares of fx, fy, fz that came from mirror images; the last two of walls only
+};
+
+//! Unit of the whole-number positions along each axis; spacings.
+struct PairUnits
+{
+  double x = 0, y = 0, z = 0;
+};
+
+//! A rigid plate in x = 0, |y| <= half_y, |z| <= half_z, that mirrors what stands in front of it (x < 0). Lengths in
+//! spacings.
 struct MirrorPlate
 {
-  double half_y = 0, half_z = 0; //!< [m]
-  double reach = 0;              //!< twice the largest smoothing length: no image acts further away [m]
-  bool present = false;
+  bool present = false, endless = false; //!< endless: the plate of a box that repeats has no rim
+  double half_y = 0, half_z = 0;
 };
 
 struct PairSettings
 {
-  bool limited = false;       //!< which of the pair viscosities of artificial_viscosity.h
-  double alpha = 0, beta = 0; //!< its constants [-]
-  Period period;
+  bool limited = false; //!< which of the pair viscosities of artificial_viscosity.h
+  double beta = 0;      //!< its quadratic constant; the linear one is in QuadState.sound_speed [-]
+  PairUnits unit;
   MirrorPlate plate;
+};
+
+struct PairInput
+{
+  const QuadState* quads;
+  const QuadWalls* walls;    //!< null: no particle has one
+  const std::int32_t* ahead; //!< of each quad: 1 where it is near enough to the plate to have images
+  const float *absolute_y,
+      *absolute_z; //!< quad_size a quad, where ahead; lanes' places on the plate [spacings]
 };
 
 struct PairKernels
 {
   const char* name; //!< instruction set
 
-  //! Rates of the particles of clusters [begin, end).
-  void (*rates)(const Cluster* clusters, int begin, int end, const std::int32_t* partners,
-                const PairInput& in, const PairSettings& settings, const PairOutput& out);
+  //! Sums of quads [begin, end), into sums[0 ...].
+  void (*rates)(const Quad* quads, int begin, int end, const std::int32_t* partners, const PairInput& in,
+                const PairSettings& settings, QuadSums* sums);
 
-  //! Of the candidate rows [begin, end): those within reach_i + reach_j of any lane are appended to \p found.
-  //! \return rows appended; \p neighbours grows by the pairs closer than h_i + h_j
-  int (*search)(const Cluster& cluster, int begin, int end, const double* x, const double* y, const double* z,
-                const double* h, const double* reach, Period period, std::int32_t* found,
-                std::int64_t* neighbours);
+  //! Of the candidates [begin, end): those with a pair within reach_i + reach_j are written to \p found.
+  //! \return how many; \p neighbours grows by the pairs closer than h_i + h_j
+  int (*search)(const QuadPlace& quad, const QuadPlace* places, int begin, int end, const PairUnits& unit,
+                std::int32_t* found, std::int64_t* neighbours);
 };
 
 //! Builds that this processor can run, the fastest first.

@@ -6,11 +6,26 @@
 #include "core/particles/artificial_viscosity.h"
 #include "core/particles/kernel.h"
 
+#include <numbers>
+
 namespace birdstrike {
 
 namespace {
-constexpr std::size_t padding = cluster_size; // lanes of a cluster that may reach past the last row
-constexpr int clusters_at_once = 16;          // for one thread: enough to hide the cost of handing out work
+
+constexpr int quads_at_once = 32; // for one thread: enough to hide the cost of handing out work
+
+// Sums in single precision tell a density to a few parts in 1e7. What is nearer to that of the undisturbed lattice counts
+// as undisturbed, and all else is shifted by as much, so that matter at rest feels exactly nothing.
+constexpr double same_density = 1e-6;
+
+double compression(double number)
+{
+  const double change = number - 1;
+  return 1 + (change > same_density    ? change - same_density
+              : change < -same_density ? change + same_density
+                                       : 0);
+}
+
 } // namespace
 
 void Rates::resize(std::size_t count)
@@ -20,7 +35,7 @@ void Rates::resize(std::size_t count)
     array->assign(count, 0.0);
   limiter.assign(count, 1.0);
   for (auto& array : strain_rate)
-    array.assign(count, 0.0);
+    array.assign(count, 0.0f);
 }
 
 void Rates::reorder(const std::vector<std::int32_t>& order)
@@ -29,132 +44,169 @@ void Rates::reorder(const std::vector<std::int32_t>& order)
   for (auto* array : {&ax, &ay, &az, &density, &summed_density, &energy, &viscous, &wall_force, &divergence,
                       &approach, &limiter})
     birdstrike::reorder(*array, order, scratch);
+  std::vector<float> single;
   for (auto& array : strain_rate)
-    birdstrike::reorder(array, order, scratch);
+    birdstrike::reorder(array, order, single);
 }
 
 SphRates::SphRates(const Settings& settings, const RigidPlate* plate, const PairKernels& kernels)
     : kernels_(kernels), settings_(settings)
 {
   pair_settings_.limited = settings.viscosity.kind == ViscosityKind::limited;
-  if (settings.viscosity.kind != ViscosityKind::bulk) {
-    pair_settings_.alpha = settings.viscosity.linear;
-    pair_settings_.beta = settings.viscosity.quadratic;
-  }
-  if (settings.periodic)
-    pair_settings_.period = {settings.periodic->size_y, settings.periodic->size_z};
+  if (settings.viscosity.kind == ViscosityKind::bulk)
+    settings_.viscosity.linear = settings_.viscosity.quadratic = 0;
+  bulk_ = settings.viscosity;
+  pair_settings_.beta = settings_.viscosity.quadratic;
   if (plate)
-    pair_settings_.plate = {0.5 * plate->size_y, 0.5 * plate->size_z, 0, true};
+    pair_settings_.plate = {true, settings.periodic.has_value(), 0.5 * plate->size_y, 0.5 * plate->size_z};
 }
 
-void SphRates::prepare(Particles& p, const std::vector<double>& vx, const std::vector<double>& vy,
-                       const std::vector<double>& vz, const std::vector<double>& density,
-                       const std::vector<double>& energy, const Rates& rates)
+//! What holds for a whole run.
+void SphRates::read_parts(const Particles& p)
 {
-  const std::size_t n = p.size(), size = n + padding;
-  if (x_.size() != size) {
-    for (auto* array : {&pressure_, &pressure_sum_, &work_,        &rest_density_, &x_,       &y_,
-                        &z_,        &vx_,           &vy_,          &vz_,           &h_,       &weight_,
-                        &stress_,   &shock_stress_, &sound_speed_, &inertia_,      &limiter_, &fx_,
-                        &fy_,       &fz_,           &number_,      &heating_,      &mu_,      &wall_})
-      array->assign(size, 0.0);
-    for (auto& array : gradient_)
-      array.assign(size, 0.0);
-    for (auto& array : strain_rate_)
-      array.assign(size, 0.0);
-    std::fill(h_.begin(), h_.end(), 1.0);
+  lattice_sum_ = lattice_sum(p.initial_smoothing / p.spacing, p.lattice);
+  for (const Part& part : p.parts) {
+    rest_density_.push_back(reference_density(part.eos));
+    cell_.push_back(part.particle_volume > 0 ? part.particle_volume : p.spacing * p.spacing * p.spacing);
   }
-  const Viscosity& viscosity = settings_.viscosity;
-  const bool bulk = viscosity.kind == ViscosityKind::bulk;
-  const double lattice = lattice_sum(p.initial_smoothing / p.spacing, p.lattice);
-  for_each_row(n, [&](std::size_t i) {
-    const EquationOfState& eos = p.parts[p.part[i]].eos;
-    // Pressure and energy need each other: 5.54 or 5.55, with the work of the old pressure done already.
-    const double e = depends_on_energy(eos) ? energy_step(eos, {.energy = energy[i],
-                                                                .pressure = 0,
-                                                                .old_volume = 1 / p.density[i],
-                                                                .new_volume = 1 / density[i],
-                                                                .lowest_pressure = settings_.tension_cutoff})
-                                                  .energy
-                                            : 0;
-    const LawPoint point = birdstrike::evaluate(eos, density[i], e);
-    const double rho0 = reference_density(eos), x = density[i] / rho0;
-    p.pressure[i] = std::max(point.pressure, settings_.tension_cutoff);
-    p.sound_speed[i] = point.sound_speed;
-    pressure_[i] = p.pressure[i];
-    x_[i] = p.x[i], y_[i] = p.y[i], z_[i] = p.z[i];
-    vx_[i] = vx[i], vy_[i] = vy[i], vz_[i] = vz[i];
-    h_[i] = p.smoothing_length[i];
-    sound_speed_[i] = point.sound_speed;
-    weight_[i] = p.volume(i) / lattice;
-    inertia_[i] = rho0 / x;
-    rest_density_[i] = rho0;
-    // q of 5.58 uses the rate of compression at the end of the step before.
-    const double q = bulk ? bulk_viscosity(density[i], point.sound_speed, rates.divergence[i],
-                                           std::cbrt(p.volume(i) / x), viscosity.linear, viscosity.quadratic)
-                          : 0;
-    shock_stress_[i] = q / (x * x);
-    stress_[i] = p.pressure[i] / (x * x) + shock_stress_[i];
-    limiter_[i] = rates.limiter[i];
-    for (int c = 0; c < 6; ++c)
-      strain_rate_[c][i] = rates.strain_rate[c][i];
-  });
-  pair_settings_.plate.reach =
-      2 * ordered_reduce(
-              n, 0.0, [&](double& most, std::size_t i) { most = std::max(most, h_[i]); },
-              [](double& a, double b) { a = std::max(a, b); });
+  if (p.size() > 0)
+    flight_ = p.velocity(0);
+  pair_settings_.plate.half_y /= p.spacing;
+  pair_settings_.plate.half_z /= p.spacing;
 }
 
-//! Into padded arrays, as the pair loops want them.
-void SphRates::copy_walls(const MirrorPlanes& walls)
+void SphRates::prepare(Particles& p, const Trial& trial, const Quad& list, std::size_t quad,
+                       const Rates& rates)
 {
-  const std::size_t n = walls.open.size();
-  const auto copy = [n](const std::vector<double>& from, std::vector<double>& to) {
-    to.resize(n + padding, 0.0);
-    std::copy(from.begin(), from.end(), to.begin());
-  };
-  copy(walls.normal_x, wall_x_);
-  copy(walls.normal_y, wall_y_);
-  copy(walls.normal_z, wall_z_);
-  copy(walls.offset, wall_at_);
-  copy(walls.speed, wall_speed_);
-  copy(walls.open, wall_open_);
-  wall_fy_.resize(n + padding, 0.0);
-  wall_fz_.resize(n + padding, 0.0);
+  const double per_spacing = 1 / p.spacing, cells = per_spacing * per_spacing * per_spacing;
+  const double image_reach = 2 * p.initial_smoothing * settings_.smoothing_growth;
+  const PairUnits& unit = pair_settings_.unit;
+  const WholePlace whole_x(unit.x, p.spacing), whole_y(unit.y, p.spacing), whole_z(unit.z, p.spacing);
+  const auto single = [](double value) { return static_cast<float>(value); };
+  QuadState& state = states_[quad];
+  bool undisturbed = true, ahead = false;
+  for (std::size_t l = 0; l < quad_size; ++l) {
+    const bool used = l < static_cast<std::size_t>(list.count);
+    const std::size_t i = static_cast<std::size_t>(list.begin) + (used ? l : 0);
+    if (used) {
+      const EquationOfState& eos = p.parts[p.part[i]].eos;
+      // Pressure and energy need each other: 5.54 or 5.55, with the work of the old pressure done already.
+      const double e = depends_on_energy(eos)
+                           ? energy_step(eos, {.energy = trial.energy[i],
+                                               .pressure = 0,
+                                               .old_volume = 1 / p.density[i],
+                                               .new_volume = 1 / trial.density[i],
+                                               .lowest_pressure = settings_.tension_cutoff})
+                                 .energy
+                           : 0;
+      const LawPoint point = birdstrike::evaluate(eos, trial.density[i], e);
+      p.pressure[i] = std::max(point.pressure, settings_.tension_cutoff);
+      p.sound_speed[i] = point.sound_speed;
+      undisturbed = undisturbed && p.pressure[i] == 0 && trial.vx[i] == (*flight_)[0] &&
+                    trial.vy[i] == (*flight_)[1] && trial.vz[i] == (*flight_)[2];
+      ahead = ahead || (p.x[i] < 0 && p.x[i] > -image_reach);
+    }
+    const double rho0 = rest_density_[p.part[i]], x = trial.density[i] / rho0;
+    double q = 0; // 5.58 uses the rate of compression at the end of the step before
+    if (!shock_stress_.empty()) {
+      q = bulk_viscosity(trial.density[i], p.sound_speed[i], rates.divergence[i],
+                         std::cbrt(cell_[p.part[i]] / x), bulk_.linear, bulk_.quadratic);
+      shock_stress_[i] = q / (x * x);
+      undisturbed = undisturbed && q == 0;
+    }
+    state.x[l] = whole_x(p.x[i]), state.y[l] = whole_y(p.y[i]), state.z[l] = whole_z(p.z[i]);
+    state.vx[l] = single(trial.vx[i]), state.vy[l] = single(trial.vy[i]), state.vz[l] = single(trial.vz[i]);
+    state.support[l] = single(p.smoothing_length[i] * per_spacing);
+    state.weight[l] = used ? single(8 / std::numbers::pi * cell_[p.part[i]] * cells / lattice_sum_) : 0.0f;
+    state.pressure[l] = single(p.pressure[i]);
+    state.stress[l] = single((p.pressure[i] + q) / (x * x));
+    state.sound_speed[l] = single(0.5 * settings_.viscosity.linear * p.sound_speed[i]);
+    state.inertia[l] = single(rho0 / x);
+    state.limiter[l] = single(rates.limiter[i]);
+    for (std::size_t c = 0; c < 6; ++c)
+      state.strain_rate[c][l] = single(rates.strain_rate[c][i] * p.spacing);
+    state.rest_density[l] = single(rho0);
+    if (pair_settings_.plate.present) {
+      absolute_y_[quad * quad_size + l] = single(p.y[i] * per_spacing);
+      absolute_z_[quad * quad_size + l] = single(p.z[i] * per_spacing);
+    }
+  }
+  undisturbed_[quad] = undisturbed;
+  ahead_[quad] = ahead;
 }
 
-void SphRates::finish(Particles& p, Rates& r, bool walls)
+void SphRates::prepare_walls(const Particles& p, const MirrorPlanes& walls, const Quad& list,
+                             std::size_t quad)
 {
-  r.image_force.resize(walls ? p.size() : 0);
+  QuadWalls& wall = walls_[quad];
+  wall = {};
+  for (std::size_t l = 0; l < static_cast<std::size_t>(list.count); ++l) {
+    const std::size_t i = static_cast<std::size_t>(list.begin) + l;
+    if (walls.open[i] <= 0)
+      continue;
+    const Vector3 normal(walls.normal_x[i], walls.normal_y[i], walls.normal_z[i]);
+    wall.x[l] = static_cast<float>(normal[0]);
+    wall.y[l] = static_cast<float>(normal[1]);
+    wall.z[l] = static_cast<float>(normal[2]);
+    wall.height[l] = static_cast<float>((normal.dot(p.position(i)) - walls.offset[i]) / p.spacing);
+    wall.speed[l] = static_cast<float>(walls.speed[i]);
+    wall.open[l] = static_cast<float>(walls.open[i]);
+    undisturbed_[quad] = 0;
+  }
+}
+
+//! Has nothing reached a quad and its partners yet? Equal velocities and no pressure make rates of exactly zero, and a
+//! density that stays what it was.
+bool SphRates::can_skip(std::size_t quad, const Neighbours& neighbours) const
+{
+  if (!undisturbed_[quad] || (pair_settings_.plate.present && ahead_[quad]))
+    return false;
+  const Quad& list = neighbours.quads()[quad];
+  const std::int32_t* partners = neighbours.partners().data() + list.first;
+  for (std::int32_t n = 0; n < list.partners; ++n)
+    if (!undisturbed_[static_cast<std::size_t>(partners[n])])
+      return false;
+  return true;
+}
+
+void SphRates::finish(Particles& p, const Quad& list, const QuadState& state, const QuadSums& sums,
+                      Rates& r) const
+{
   const ViscosityKind kind = settings_.viscosity.kind;
-  const bool bulk = kind == ViscosityKind::bulk;
-  for_each_row(p.size(), [&](std::size_t i) {
+  const double per_spacing = 1 / p.spacing;
+  for (std::size_t l = 0; l < static_cast<std::size_t>(list.count); ++l) {
+    const std::size_t i = static_cast<std::size_t>(list.begin) + l;
     // The mass may differ from volume times density (dissertation 8.3.3): that is inertia and nothing else.
-    const double cell = p.volume(i), rho0 = p.mass[i] / cell, x = rest_density_[i] / inertia_[i];
+    const double cell = cell_[p.part[i]], per_density = cell / p.mass[i];
+    const double rest_density = rest_density_[p.part[i]],
+                 x = rest_density / static_cast<double>(state.inertia[l]);
     std::array<double, 9> g; // grad v
     for (std::size_t c = 0; c < 9; ++c)
-      g[c] = gradient_[c][i] / x;
+      g[c] = sums.gradient[c][l] * per_spacing / x;
     const double compression_rate = -x * (g[0] + g[4] + g[8]); // D
-    p.mean_pressure[i] = pressure_sum_[i] / number_[i];
-    r.ax[i] = fx_[i] / rho0;
-    r.ay[i] = fy_[i] / rho0;
-    r.az[i] = fz_[i] / rho0;
-    r.wall_force[i] = wall_[i] * cell;
-    if (walls)
-      r.image_force[i] = cell * Vector3(wall_[i], wall_fy_[i], wall_fz_[i]);
+    const double work = sums.work[l] * per_spacing;
+    const double shock = shock_stress_.empty() ? 0 : shock_stress_[i];
+    p.mean_pressure[i] = sums.pressure[l] / sums.number[l];
+    r.ax[i] = sums.fx[l] * per_spacing * per_density;
+    r.ay[i] = sums.fy[l] * per_spacing * per_density;
+    r.az[i] = sums.fz[l] * per_spacing * per_density;
+    r.wall_force[i] = sums.wall[l] * per_spacing * cell;
+    if (!walls_.empty())
+      r.image_force[i] = per_spacing * cell * Vector3(sums.wall[l], sums.wall_y[l], sums.wall_z[l]);
     r.divergence[i] = -compression_rate / x;
-    r.density[i] = rest_density_[i] * compression_rate;
-    r.summed_density[i] = rest_density_[i] * number_[i];
-    r.viscous[i] = (heating_[i] + shock_stress_[i] * work_[i]) / rho0;
-    r.energy[i] = r.viscous[i] + (stress_[i] - shock_stress_[i]) * work_[i] / rho0;
-    r.approach[i] = bulk ? std::cbrt(cell / x) * std::abs(r.divergence[i]) : mu_[i];
+    r.density[i] = rest_density * compression_rate;
+    r.summed_density[i] = rest_density * compression(sums.number[l]);
+    r.viscous[i] = (sums.heating[l] * per_spacing + shock * work) * per_density;
+    r.energy[i] = r.viscous[i] + (state.stress[l] - shock) * work * per_density;
+    r.approach[i] = kind == ViscosityKind::bulk ? std::cbrt(cell / x) * std::abs(r.divergence[i])
+                                                : static_cast<double>(sums.mu[l]);
     r.limiter[i] = kind == ViscosityKind::limited    ? plane_compression(g)
                    : kind == ViscosityKind::switched ? shear_switch(g)
                                                      : 1;
     const double strain_rate[6] = {g[0], g[4], g[8], g[1] + g[3], g[2] + g[6], g[5] + g[7]};
     for (int c = 0; c < 6; ++c)
-      r.strain_rate[c][i] = strain_rate[c];
-  });
+      r.strain_rate[c][i] = static_cast<float>(strain_rate[c]);
+  }
 }
 
 void SphRates::evaluate(Particles& p, const std::vector<double>& vx, const std::vector<double>& vy,
@@ -162,47 +214,70 @@ void SphRates::evaluate(Particles& p, const std::vector<double>& vx, const std::
                         const std::vector<double>& energy, const Neighbours& neighbours, Rates& rates,
                         const MirrorPlanes* walls)
 {
-  prepare(p, vx, vy, vz, density, energy, rates);
-  if (walls)
-    copy_walls(*walls);
-  const auto of_walls = [walls](const std::vector<double>& array) { return walls ? array.data() : nullptr; };
+  const bool first_time = lattice_sum_ == 0;
+  if (first_time)
+    read_parts(p);
+  pair_settings_.unit = neighbours.units(p.spacing);
+  const std::vector<Quad>& quads = neighbours.quads();
+  const std::size_t count = quads.size();
+  states_.resize(count);
+  undisturbed_.resize(count);
+  ahead_.resize(count);
+  walls_.resize(walls ? count : 0);
+  rates.image_force.resize(walls ? p.size() : 0);
+  if (settings_.viscosity.kind == ViscosityKind::bulk)
+    shock_stress_.resize(p.size());
+  if (pair_settings_.plate.present) {
+    absolute_y_.resize(count * quad_size);
+    absolute_z_.resize(count * quad_size);
+  }
 
-  const PairInput in{x_.data(),
-                     y_.data(),
-                     z_.data(),
-                     vx_.data(),
-                     vy_.data(),
-                     vz_.data(),
-                     h_.data(),
-                     weight_.data(),
-                     pressure_.data(),
-                     stress_.data(),
-                     sound_speed_.data(),
-                     inertia_.data(),
-                     rest_density_.data(),
-                     limiter_.data(),
-                     of_walls(wall_x_),
-                     of_walls(wall_y_),
-                     of_walls(wall_z_),
-                     of_walls(wall_at_),
-                     of_walls(wall_speed_),
-                     of_walls(wall_open_),
-                     {strain_rate_[0].data(), strain_rate_[1].data(), strain_rate_[2].data(),
-                      strain_rate_[3].data(), strain_rate_[4].data(), strain_rate_[5].data()}};
-  PairOutput out{fx_.data(),     fy_.data(),           fz_.data(),      {},
-                 number_.data(), pressure_sum_.data(), work_.data(),    heating_.data(),
-                 mu_.data(),     wall_.data(),         wall_fy_.data(), wall_fz_.data()};
-  for (std::size_t c = 0; c < 9; ++c)
-    out.gradient[c] = gradient_[c].data();
-  const Cluster* clusters = neighbours.clusters().data();
-  const std::int32_t* partners = neighbours.partners().data();
-  const int count = static_cast<int>(neighbours.clusters().size());
-#pragma omp parallel for schedule(dynamic, 1)
-  for (int first = 0; first < count; first += clusters_at_once)
-    kernels_.rates(clusters, first, std::min(count, first + clusters_at_once), partners, in, pair_settings_,
-                   out);
+  const Trial trial{vx, vy, vz, density, energy};
+  for_each_row(count, [&](std::size_t q) {
+    prepare(p, trial, quads[q], q, rates);
+    if (walls)
+      prepare_walls(p, *walls, quads[q], q);
+  });
 
-  finish(p, rates, walls != nullptr);
+  const PairInput in{states_.data(), walls ? walls_.data() : nullptr, ahead_.data(), absolute_y_.data(),
+                     absolute_z_.data()};
+  const bool skips = settings_.skip_undisturbed && !first_time;
+  long worked = 0;
+#pragma omp parallel for schedule(dynamic, 1) reduction(+ : worked)
+  for (std::size_t begin = 0; begin < count; begin += quads_at_once) {
+    QuadSums sums[quads_at_once];
+    const std::size_t end = std::min(count, begin + quads_at_once);
+    for (std::size_t q = begin; q < end; ++q) {
+      if (skips && can_skip(q, neighbours)) {
+        leave_alone(p, quads[q], rates);
+        continue;
+      }
+      ++worked;
+      kernels_.rates(quads.data(), static_cast<int>(q), static_cast<int>(q) + 1, neighbours.partners().data(),
+                     in, pair_settings_, sums + (q - begin));
+      finish(p, quads[q], states_[q], sums[q - begin], rates);
+    }
+  }
+  worked_ = worked;
+  skipped_ = static_cast<long>(count) - worked;
+}
+
+//! The rates of what nothing has reached.
+void SphRates::leave_alone(Particles& p, const Quad& list, Rates& r) const
+{
+  for (std::size_t i = static_cast<std::size_t>(list.begin);
+       i < static_cast<std::size_t>(list.begin + list.count); ++i)
+  {
+    p.mean_pressure[i] = 0;
+    for (auto* array :
+         {&r.ax, &r.ay, &r.az, &r.wall_force, &r.divergence, &r.density, &r.viscous, &r.energy, &r.approach})
+      (*array)[i] = 0;
+    if (!r.image_force.empty())
+      r.image_force[i].setZero();
+    r.limiter[i] = 1;
+    for (auto& array : r.strain_rate)
+      array[i] = 0;
+  }
 }
 
 } // namespace birdstrike

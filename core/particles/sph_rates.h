@@ -39,6 +39,8 @@
 #include "core/particles/neighbours.h"
 #include "core/settings.h"
 
+#include <optional>
+
 namespace birdstrike {
 
 //! N rows beside those of Particles.
@@ -54,8 +56,8 @@ struct Rates
   std::vector<double> divergence;     //!< div v [1/s]
   std::vector<double> approach;       //!< largest |mu| of the pair viscosity, or l |div v| of 5.58 [m/s]
   std::vector<double> limiter;        //!< f of artificial_viscosity.h for the next evaluation [-]
-  std::vector<double>
-      strain_rate[6]; //!< symmetric part of grad v for the next evaluation, see PairInput [1/s]
+  std::vector<float>
+      strain_rate[6]; //!< symmetric part of grad v for the next evaluation, see QuadState [1/s]
 
   void resize(std::size_t count);
   void reorder(const std::vector<std::int32_t>& order);
@@ -79,21 +81,40 @@ public:
                 const std::vector<double>& energy, const Neighbours& neighbours, Rates& rates,
                 const MirrorPlanes* walls = nullptr);
 
+  //! Quads whose sums the last evaluation made, and those it left alone because nothing has reached them yet.
+  long worked() const { return worked_; }
+  long skipped() const { return skipped_; }
+
 private:
   const PairKernels& kernels_;
   Settings settings_;
   PairSettings pair_settings_;
-  std::vector<double> x_, y_, z_, vx_, vy_, vz_, h_, weight_, pressure_, stress_, shock_stress_, sound_speed_,
-      inertia_, rest_density_, limiter_, strain_rate_[6];
-  std::vector<double> fx_, fy_, fz_, gradient_[9], number_, pressure_sum_, work_, heating_, mu_, wall_,
-      wall_fy_, wall_fz_;
-  std::vector<double> wall_x_, wall_y_, wall_z_, wall_at_, wall_speed_, wall_open_;
+  Viscosity bulk_;                          // 5.58's constants
+  double lattice_sum_ = 0;                  // of the undisturbed lattice [-]
+  std::vector<double> rest_density_, cell_; // of each part [kg/m3], undisturbed volume [m3]
 
-  void prepare(Particles& particles, const std::vector<double>& vx, const std::vector<double>& vy,
-               const std::vector<double>& vz, const std::vector<double>& density,
-               const std::vector<double>& energy, const Rates& rates);
-  void copy_walls(const MirrorPlanes& walls);
-  void finish(Particles& particles, Rates& rates, bool walls);
+  std::vector<QuadState> states_;
+  std::vector<QuadWalls> walls_;
+  std::vector<std::int32_t> ahead_;            // see PairInput
+  std::vector<float> absolute_y_, absolute_z_; // the same
+  std::vector<double> shock_stress_;           // q / x^2 of 5.58, rows; empty for other viscosities [Pa]
+  std::vector<std::uint8_t> undisturbed_;      // of each quad: flies as it did at the start, without pressure
+  std::optional<Vector3> flight_;              // velocity at the start [m/s]
+  long worked_ = 0, skipped_ = 0;
+
+  struct Trial // what the rates are found for; rows of the particles
+  {
+    const std::vector<double>&vx, &vy, &vz, &density, &energy;
+  };
+  void read_parts(const Particles& particles);
+  void prepare(Particles& particles, const Trial& trial, const Quad& list, std::size_t quad,
+               const Rates& rates);
+  void prepare_walls(const Particles& particles, const MirrorPlanes& walls, const Quad& list,
+                     std::size_t quad);
+  bool can_skip(std::size_t quad, const Neighbours& neighbours) const;
+  void finish(Particles& particles, const Quad& list, const QuadState& state, const QuadSums& sums,
+              Rates& rates) const;
+  void leave_alone(Particles& particles, const Quad& list, Rates& rates) const;
 };
 
 } // namespace birdstrike

@@ -31,10 +31,13 @@ std::set<std::pair<int, int>> close_pairs(const Particles& p, double skin, Perio
 std::set<std::pair<int, int>> listed_pairs(const Particles& p, const Neighbours& list)
 {
   std::set<std::pair<int, int>> pairs;
-  for (const Cluster& c : list.clusters())
+  for (const Quad& c : list.quads())
     for (int i = c.begin; i < c.begin + c.count; ++i)
-      for (int n = 0; n < c.partners; ++n)
-        pairs.insert({p.id[i], p.id[list.partners()[c.first + n]]});
+      for (int n = 0; n < c.partners; ++n) {
+        const Quad& partner = list.quads()[list.partners()[c.first + n]];
+        for (int j = partner.begin; j < partner.begin + partner.count; ++j)
+          pairs.insert({p.id[i], p.id[j]});
+      }
   return pairs;
 }
 
@@ -47,7 +50,7 @@ void check_against_all_pairs(Particles p, Period period)
   const auto needed = close_pairs(p, 0.5 * skin, period), listed = listed_pairs(p, list);
   CHECK(std::includes(listed.begin(), listed.end(), needed.begin(), needed.end()));
   std::size_t rows = 0;
-  for (const Cluster& c : list.clusters()) {
+  for (const Quad& c : list.quads()) {
     CHECK(c.count >= 1);
     rows += c.count;
   }
