@@ -20,7 +20,7 @@ std::string number(double value, int decimals)
 
 std::string line(const std::vector<std::string>& cells)
 {
-  constexpr std::array widths{7, 10, 7, 9, 5, 8, 8, 9, 11, 9, 9, 8, 8, 7}; // as the titles of to_table
+  constexpr std::array widths{6, 10, 8, 11, 7, 9, 9, 9, 13, 10, 9, 9, 8, 8}; // as the titles of to_table
   std::string text;
   for (std::size_t k = 0; k < cells.size(); ++k)
     text +=
@@ -53,7 +53,7 @@ std::string to_table(const Comparison& comparison)
     }
     text += line(cells);
     if (!row.fault.empty())
-      text += "         rejected: " + row.fault + "\n";
+      text += "        rejected: " + row.fault + "\n";
   }
   if (!comparison.speed_up.empty())
     text += "\nSpeed-up over one thread\n";
