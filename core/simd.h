@@ -47,13 +47,40 @@ BIRDSTRIKE_INLINE Ints tile(const std::int32_t* from)
 }
 
 //! Each number four times: lane l has from[l / 4].
-template <class Pack, class Number>
-BIRDSTRIKE_INLINE Pack spread(const Number* from)
+BIRDSTRIKE_INLINE Floats spread(const float* from)
 {
-  Pack pack;
+#if defined(__AVX512F__)
+  const __m512i quarter = _mm512_set_epi32(3, 3, 3, 3, 2, 2, 2, 2, 1, 1, 1, 1, 0, 0, 0, 0);
+  return _mm512_permutexvar_ps(quarter, _mm512_castps128_ps512(_mm_loadu_ps(from)));
+#else
+  Floats pack;
   for (int l = 0; l < lanes; ++l)
     pack[l] = from[l / 4];
   return pack;
+#endif
+}
+BIRDSTRIKE_INLINE Ints spread(const std::int32_t* from)
+{
+  float bits[lanes / 4];
+  std::memcpy(bits, from, sizeof bits);
+  return reinterpret_cast<Ints>(spread(bits));
+}
+
+//! Is any lane above zero?
+BIRDSTRIKE_INLINE bool any_positive(Floats a)
+{
+#if defined(__AVX512F__)
+  return _mm512_cmp_ps_mask(a, _mm512_setzero_ps(), _CMP_GT_OQ) != 0;
+#elif defined(__AVX__)
+  return _mm256_movemask_ps(_mm256_cmp_ps(a, _mm256_setzero_ps(), _CMP_GT_OQ)) != 0;
+#elif defined(__SSE2__)
+  return _mm_movemask_ps(_mm_cmpgt_ps(a, _mm_setzero_ps())) != 0;
+#else
+  bool any = false;
+  for (int l = 0; l < lanes; ++l)
+    any = any || a[l] > 0;
+  return any;
+#endif
 }
 
 BIRDSTRIKE_INLINE Floats max(Floats a, Floats b)
@@ -80,18 +107,39 @@ BIRDSTRIKE_INLINE Floats min(Floats a, Floats b)
   return a < b ? a : b;
 #endif
 }
-BIRDSTRIKE_INLINE Floats sqrt(Floats a)
+//! 1 / a to a unit in the last place: the processor's estimate and one step of Newton's. Division costs several times as
+//! much. (Estimates differ a little between makes of processors; what is left after the step hardly does.)
+BIRDSTRIKE_INLINE Floats reciprocal(Floats a)
 {
 #if defined(__AVX512F__)
-  return _mm512_sqrt_ps(a);
+  const Floats guess = _mm512_rcp14_ps(a);
 #elif defined(__AVX__)
-  return _mm256_sqrt_ps(a);
+  const Floats guess = _mm256_rcp_ps(a);
 #elif defined(__SSE2__)
-  return _mm_sqrt_ps(a);
+  const Floats guess = _mm_rcp_ps(a);
+#else
+  return 1.0f / a;
+#endif
+#if defined(__SSE2__)
+  return guess * (2.0f - a * guess);
+#endif
+}
+//! 1 / sqrt(a) in the same way.
+BIRDSTRIKE_INLINE Floats inverse_root(Floats a)
+{
+#if defined(__AVX512F__)
+  const Floats guess = _mm512_rsqrt14_ps(a);
+#elif defined(__AVX__)
+  const Floats guess = _mm256_rsqrt_ps(a);
+#elif defined(__SSE2__)
+  const Floats guess = _mm_rsqrt_ps(a);
 #else
   for (int l = 0; l < lanes; ++l)
-    a[l] = std::sqrt(a[l]);
+    a[l] = 1 / std::sqrt(a[l]);
   return a;
+#endif
+#if defined(__SSE2__)
+  return guess + 0.5f * guess * (1.0f - a * guess * guess);
 #endif
 }
 BIRDSTRIKE_INLINE Floats to_floats(Ints a) { return __builtin_convertvector(a, Floats); }
@@ -115,8 +163,13 @@ BIRDSTRIKE_INLINE void fold(Floats a, float* to, const Combine& combine)
   a = combine(a, __builtin_shuffle(a, one));
   a = combine(a, __builtin_shuffle(a, two));
 #endif
+#if defined(__AVX512F__)
+  const __m512i firsts = _mm512_set_epi32(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 12, 8, 4, 0);
+  _mm_storeu_ps(to, _mm512_castps512_ps128(_mm512_permutexvar_ps(firsts, a)));
+#else
   for (int k = 0; k < lanes / 4; ++k)
     to[k] = a[4 * k];
+#endif
 }
 
 //! Numbers too small for the usual format count as zero while this lives: a front that runs into matter at rest else

@@ -73,21 +73,21 @@ bool Neighbours::is_stale(const Particles& p) const
   // A pair closes by at most both displacements, and its reach grows by both changes of h.
   const double per_spacing = 1 / p.spacing;
   return ordered_reduce(
-      count, 0,
-      [&](int& stale, std::size_t q) {
-        const QuadPlace& place = places_[q];
-        for (std::size_t l = 0; l < static_cast<std::size_t>(quads_[q].count); ++l) {
-          const std::size_t row = static_cast<std::size_t>(quads_[q].begin) + l;
-          const auto by = moved(q, l);
-          const double x = whole_difference(by[0], mean[0]) * unit.x,
-                       y = whole_difference(by[1], mean[1]) * unit.y,
-                       z = whole_difference(by[2], mean[2]) * unit.z;
-          const double h = p.smoothing_length[row] * per_spacing;
-          const double left = place.reach[l] - std::max(h, static_cast<double>(place.support[l]));
-          stale = stale || !(left > 0 && x * x + y * y + z * z < left * left);
-        }
-      },
-      [](int& a, int b) { a = a || b; }) != 0;
+             count, 0,
+             [&](int& stale, std::size_t q) {
+               const QuadPlace& place = places_[q];
+               for (std::size_t l = 0; l < static_cast<std::size_t>(quads_[q].count); ++l) {
+                 const std::size_t row = static_cast<std::size_t>(quads_[q].begin) + l;
+                 const auto by = moved(q, l);
+                 const double x = whole_difference(by[0], mean[0]) * unit.x,
+                              y = whole_difference(by[1], mean[1]) * unit.y,
+                              z = whole_difference(by[2], mean[2]) * unit.z;
+                 const double h = p.smoothing_length[row] * per_spacing;
+                 const double left = place.reach[l] - std::max(h, static_cast<double>(place.support[l]));
+                 stale = stale || !(left > 0 && x * x + y * y + z * z < left * left);
+               }
+             },
+             [](int& a, int b) { a = a || b; }) != 0;
 }
 
 int Neighbours::pencil_at(double value, double origin, double width, int count) const
@@ -108,9 +108,10 @@ const std::vector<std::int32_t>& Neighbours::sort(const Particles& p)
   constexpr double most_pencils = 2000; // along one axis
   const double width = 2 * p.spacing;
   const auto divide = [&](const Range& r, double period, double& origin, double& size, int& count) {
-    const double length = std::max(r.upper - r.lower, width);
+    // Half a spacing more on both sides: pencils then part a lattice between its rows.
+    const double length = std::max(r.upper - r.lower + (period > 0 ? 0 : p.spacing), width);
     count = static_cast<int>(std::clamp(std::floor(length / width), 1.0, most_pencils));
-    origin = r.lower;
+    origin = r.lower - (period > 0 ? 0 : 0.5 * p.spacing);
     size = period > 0 ? period / count : length / count;
   };
   divide(y, period_.y, origin_y_, width_y_, pencils_y_);

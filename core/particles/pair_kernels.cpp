@@ -15,7 +15,7 @@ constexpr int rows_at_once = lanes / quad_size; // of the quad whose sums are ma
 struct Side
 {
   Ints x, y, z;
-  Floats vx, vy, vz, support, stress, sound_speed, inertia, limiter;
+  Floats vx, vy, vz, support, stress, sound_speed, lightness, smooth;
   Floats strain_rate[6];
   Floats rest_density;
 };
@@ -23,21 +23,13 @@ struct Side
 //! Rows row ... row + rows_at_once - 1 of a quad.
 BIRDSTRIKE_INLINE Side spread_side(const QuadState& q, int row)
 {
-  Side side{spread<Ints>(q.x + row),
-            spread<Ints>(q.y + row),
-            spread<Ints>(q.z + row),
-            spread<Floats>(q.vx + row),
-            spread<Floats>(q.vy + row),
-            spread<Floats>(q.vz + row),
-            spread<Floats>(q.support + row),
-            spread<Floats>(q.stress + row),
-            spread<Floats>(q.sound_speed + row),
-            spread<Floats>(q.inertia + row),
-            spread<Floats>(q.limiter + row),
-            {},
-            spread<Floats>(q.rest_density + row)};
+  Side side{spread(q.x + row),           spread(q.y + row),      spread(q.z + row),
+            spread(q.vx + row),          spread(q.vy + row),     spread(q.vz + row),
+            spread(q.support + row),     spread(q.stress + row), spread(q.sound_speed + row),
+            spread(q.lightness + row),   spread(q.smooth + row), {},
+            spread(q.rest_density + row)};
   for (int c = 0; c < 6; ++c)
-    side.strain_rate[c] = spread<Floats>(q.strain_rate[c] + row);
+    side.strain_rate[c] = spread(q.strain_rate[c] + row);
   return side;
 }
 
@@ -51,7 +43,6 @@ struct Sums
 enum class Seen
 {
   direct,
-  past_wall, //!< itself, but for what a wall between the two hides
   in_plate,
   in_wall
 };
@@ -60,6 +51,47 @@ struct Vector
 {
   Floats x, y, z;
 };
+
+//! Pairs of a partner of which at least one is nearer than the kernel reaches: what the geometry has to say.
+struct Near
+{
+  Vector d;         //!< x_i - x_j [spacings]
+  Floats inverse_r; //!< 1 / |d|
+  Floats k;         //!< a sixth of -V_j (1/r) dW/dr; exactly nothing where the support does not reach j
+  Floats push;      //!< k times all stresses [Pa]
+  std::int32_t partner;
+};
+constexpr int near_at_once = 12; // stays in the nearest cache
+
+//! One partner's geometry: the pairs' share of the sums that need no more than it, and the rest into \p to.
+//! \param open  1 where the pair may act, 0 where something stands between
+//! \return whether any pair is near
+template <bool gated>
+BIRDSTRIKE_INLINE bool meet(Floats& number, Floats& pressure, Floats support, const QuadState& q,
+                            std::int32_t partner, const Vector& d, [[maybe_unused]] Floats open, Near& to)
+{
+  const Floats zero{};
+  to.d.x = d.x, to.d.y = d.y, to.d.z = d.z;
+  const Floats inverse_reach = reciprocal(support + tile(q.support)); // 1 / (2 h_ij): where the kernel ends
+  const Floats r2 = d.z * d.z + (d.y * d.y + (d.x * d.x + 1e-12f));   // never zero
+  const Floats inverse_r = inverse_root(r2);
+
+  // 4.13 in truncated powers of s = r / (2h): W = 8 (2 A^3 - B^3) / (pi (2h)^3), A = 1 - s, B = 1 - 2s,
+  // and -(1/r) dW/dr = 48 (A^2 - B^2) / (pi (2h)^4 r)
+  const Floats s = r2 * inverse_r * inverse_reach;
+  const Floats a = max(1.0f - s, zero), b = max(1.0f - 2.0f * s, zero);
+  const Floats a2 = a * a, b2 = b * b, inverse_reach2 = inverse_reach * inverse_reach;
+  Floats weight = tile(q.weight) * (inverse_reach2 * inverse_reach);
+  if constexpr (gated)
+    weight *= open;
+  const Floats counted = weight * (2.0f * a * a2 - b * b2);
+  number += counted;
+  pressure += counted * tile(q.pressure);
+  to.inverse_r = inverse_r;
+  to.k = weight * inverse_reach * (a2 - b2) * inverse_r;
+  to.partner = partner;
+  return any_positive(to.k);
+}
 
 //! d.G d, from the symmetric part of G.
 BIRDSTRIKE_INLINE Floats along(const Vector& d, const Floats (&g)[6])
@@ -88,75 +120,61 @@ BIRDSTRIKE_INLINE Floats explained(const Side& i, const QuadState& q, const Vect
   else
     b = along(d, g);
   const Floats product = a * b;
-  return product > 0.0f ? product / (a + b) : zero;
+  return product > 0.0f ? product * reciprocal(a + b) : zero;
 }
 
-//! Add what the four of quad q do to the lanes i. d is x_i - x_j, v v_i - v_j; an image's own values stand at j. A lane
-//! whose support does not reach j, or that is j itself, gets exactly nothing. Factors that all terms share are left to
-//! store().
-//! \param open  1 where the pair may act, 0 where something stands between
+//! The stresses between the lanes i and the four of quad q: near.push, and what comes of them alone. Factors that all terms
+//! share are left to store().
+//! \param v  v_j - v_i; an image's own values stand at j
 template <Seen seen, bool limited, bool mixed>
-BIRDSTRIKE_INLINE void add_pairs(Sums& sum, const Side& i, const QuadState& q, const Vector& d,
-                                 const Vector& v, float beta, [[maybe_unused]] Floats open,
-                                 const Vector& turned = Vector())
+BIRDSTRIKE_INLINE void find_stress(Sums& sum, const Side& i, const QuadState& q, Near& near, const Vector& v,
+                                   float beta, const Vector& turned = Vector())
 {
-  const Floats zero{};
-  const Floats reach = i.support + tile(q.support); // 2 h_ij: where the kernel ends
-  const Floats r2 = max(d.x * d.x + d.y * d.y + d.z * d.z, zero + 1e-12f);
-  const Floats inverse_r = 1.0f / sqrt(r2);
-  const Floats inverse_reach = 1.0f / reach;
-
-  // 4.13 in truncated powers of s = r / (2h): W = 8 (2 A^3 - B^3) / (pi (2h)^3), A = 1 - s, B = 1 - 2s,
-  // and -(1/r) dW/dr = 48 (A^2 - B^2) / (pi (2h)^4 r)
-  const Floats s = r2 * inverse_r * inverse_reach;
-  const Floats a = max(1.0f - s, zero), b = max(1.0f - 2.0f * s, zero);
-  const Floats a2 = a * a, b2 = b * b, inverse_reach2 = inverse_reach * inverse_reach;
-  const Floats weight = tile(q.weight);
-  Floats k = weight * (a2 - b2) * (inverse_reach2 * inverse_reach2) * inverse_r; // a sixth of -V (1/r) dW/dr
-  Floats counted = weight * (2.0f * a * a2 - b * b2) * (inverse_reach2 * inverse_reach);
-  if constexpr (seen != Seen::direct) {
-    k *= open;
-    counted *= open;
-  }
-
-  const Floats closing = d.x * v.x + d.y * v.y + d.z * v.z; // v_ij.d
-  const Floats approach = min(closing, zero);
+  const Floats zero{}, k = near.k;
+  const Vector& d = near.d;
+  const Floats parting = d.x * v.x + d.y * v.y + d.z * v.z; // (v_j - v_i).d > 0: they approach
+  const Floats approach = max(parting, zero);
   const Floats sound_speed = i.sound_speed + tile(q.sound_speed); // times alpha
-  const Floats inertia_j = tile(q.inertia);
+  const Floats lightness_j = tile(q.lightness);
   Floats speed, viscosity; // U or |mu|, and Q of artificial_viscosity.h
   if constexpr (limited) {
-    const Floats smooth = explained<seen>(i, q, d, turned);
-    const Floats share = 2.0f - (i.limiter + tile(q.limiter)); // doubled, as smooth is halved
-    speed = min(max(share * smooth - approach, zero), -approach) * inverse_r;
-    viscosity = 2.0f * i.inertia * inertia_j / (i.inertia + inertia_j) * speed * (sound_speed + beta * speed);
+    const Floats share = i.smooth + tile(q.smooth); // doubled, as what is explained is halved
+    speed = min(max(share * explained<seen>(i, q, d, turned) + approach, zero), approach) * near.inverse_r;
+    viscosity = reciprocal(i.lightness + lightness_j) * (speed + speed) * (sound_speed + beta * speed);
   } else {
-    speed = -0.5f * approach * reach / (r2 + 0.0025f * reach * reach);
-    viscosity = 0.25f * (i.inertia + inertia_j) * (i.limiter + tile(q.limiter)) * speed *
-                (sound_speed + beta * speed);
+    const Floats reach = i.support + tile(q.support), r2 = d.x * d.x + d.y * d.y + d.z * d.z;
+    speed = 0.5f * approach * reach * reciprocal(r2 + 0.0025f * reach * reach);
+    const Floats inertia = (i.lightness + lightness_j) * reciprocal(i.lightness * lightness_j);
+    viscosity = 0.25f * inertia * (2.0f - (i.smooth + tile(q.smooth))) * speed * (sound_speed + beta * speed);
   }
 
-  sum.number += counted;
-  sum.pressure += counted * tile(q.pressure);
-  Floats push;
   if constexpr (mixed) {
-    const Floats rest_j = tile(q.rest_density), inverse = 2.0f / (i.rest_density + rest_j);
+    const Floats rest_j = tile(q.rest_density), inverse = 2.0f * reciprocal(i.rest_density + rest_j);
     const Floats share_i = rest_j * inverse, share_j = i.rest_density * inverse;
-    push = k * (share_i * i.stress + share_j * tile(q.stress) + viscosity);
-    sum.work += share_i * k * closing;
+    near.push = k * (share_i * i.stress + share_j * tile(q.stress) + viscosity);
+    sum.work += share_i * k * parting;
   } else {
-    push = k * (i.stress + tile(q.stress) + viscosity);
-    sum.work += k * closing;
+    near.push = k * (i.stress + tile(q.stress) + viscosity);
   }
-  sum.fx += push * d.x;
-  sum.fy += push * d.y;
-  sum.fz += push * d.z;
-  if constexpr (seen == Seen::in_plate || seen == Seen::in_wall)
-    sum.wall += push * d.x;
+  sum.heating += k * viscosity * approach;
+  sum.mu = max(sum.mu, k > 0.0f ? speed : zero);
+}
+
+//! Force and velocity gradient.
+template <Seen seen>
+BIRDSTRIKE_INLINE void add_pairs(Sums& sum, const Near& near, const Vector& v)
+{
+  const Vector& d = near.d;
+  sum.fx += near.push * d.x;
+  sum.fy += near.push * d.y;
+  sum.fz += near.push * d.z;
+  if constexpr (seen != Seen::direct)
+    sum.wall += near.push * d.x;
   if constexpr (seen == Seen::in_wall) {
-    sum.wall_y += push * d.y;
-    sum.wall_z += push * d.z;
+    sum.wall_y += near.push * d.y;
+    sum.wall_z += near.push * d.z;
   }
-  const Floats gx = k * d.x, gy = k * d.y, gz = k * d.z;
+  const Floats gx = near.k * d.x, gy = near.k * d.y, gz = near.k * d.z;
   sum.gradient[0] += v.x * gx;
   sum.gradient[1] += v.x * gy;
   sum.gradient[2] += v.x * gz;
@@ -166,8 +184,6 @@ BIRDSTRIKE_INLINE void add_pairs(Sums& sum, const Side& i, const QuadState& q, c
   sum.gradient[6] += v.z * gx;
   sum.gradient[7] += v.z * gy;
   sum.gradient[8] += v.z * gz;
-  sum.heating += k * viscosity * approach;
-  sum.mu = max(sum.mu, k > 0.0f ? speed : zero);
 }
 
 struct Unit
@@ -182,7 +198,7 @@ BIRDSTRIKE_INLINE Vector difference(const Side& i, const QuadState& q, const Uni
 }
 BIRDSTRIKE_INLINE Vector relative_velocity(const Side& i, const QuadState& q)
 {
-  return {i.vx - tile(q.vx), i.vy - tile(q.vy), i.vz - tile(q.vz)};
+  return {tile(q.vx) - i.vx, tile(q.vy) - i.vy, tile(q.vz) - i.vz};
 }
 
 //! The lanes' own walls.
@@ -192,8 +208,8 @@ struct Walls
 };
 BIRDSTRIKE_INLINE Walls spread_walls(const QuadWalls& w, int row)
 {
-  return {spread<Floats>(w.x + row),      spread<Floats>(w.y + row),     spread<Floats>(w.z + row),
-          spread<Floats>(w.height + row), spread<Floats>(w.speed + row), spread<Floats>(w.open + row)};
+  return {spread(w.x + row),      spread(w.y + row),     spread(w.z + row),
+          spread(w.height + row), spread(w.speed + row), spread(w.open + row)};
 }
 
 BIRDSTRIKE_INLINE bool any_open(const QuadWalls& w)
@@ -216,19 +232,60 @@ BIRDSTRIKE_INLINE Floats open_past_walls(const Walls& i, const QuadWalls& w, con
   return one - shut;
 }
 
-template <bool limited, bool mixed, bool walls>
-void add_direct(Sums& sum, const Side& i, [[maybe_unused]] const Walls& wall, const std::int32_t* partners,
-                int count, const PairInput& in, const Unit& unit, float beta)
+//! Which quads a quad meets, and what it takes to do so.
+struct Meeting
 {
-  for (int n = 0; n < count; ++n) {
-    const QuadState& q = in.quads[partners[n]];
-    const Vector d = difference(i, q, unit);
-    Floats open{};
-    if constexpr (walls)
-      open = open_past_walls(wall, in.walls[partners[n]], d);
-    add_pairs<walls ? Seen::past_wall : Seen::direct, limited, mixed>(sum, i, q, d, relative_velocity(i, q),
-                                                                      beta, open);
+  const std::int32_t* partners;
+  int count;
+  const PairInput& in;
+  const PairSettings& settings;
+  Unit unit;
+  float beta;
+};
+
+//! \p geometry of all partners, then \p stress and \p add of those that are near. Each loop keeps its numbers in registers
+//! and is short enough for the processor to work on several partners at once; and what would add nothing is left out.
+template <class Geometry, class Stress, class Add>
+BIRDSTRIKE_INLINE void for_near(const Meeting& meeting, const Geometry& geometry, const Stress& stress,
+                                const Add& add)
+{
+  Near near[near_at_once];
+  for (int from = 0; from < meeting.count; from += near_at_once) {
+    const int to = std::min(meeting.count, from + near_at_once);
+    int count = 0;
+    for (int n = from; n < to; ++n)
+      count += geometry(meeting.partners[n], near[count]);
+    for (int n = 0; n < count; ++n)
+      stress(near[n]);
+    for (int n = 0; n < count; ++n)
+      add(near[n]);
   }
+}
+
+template <bool limited, bool mixed, bool walls>
+void add_direct(Sums& sum, const Side& i, [[maybe_unused]] const Walls& wall, const Meeting& meeting)
+{
+  const PairInput& in = meeting.in;
+  Floats number{}, pressure{};
+  for_near(
+      meeting,
+      [&](std::int32_t partner, Near& near) {
+        const QuadState& q = in.quads[partner];
+        const Vector d = difference(i, q, meeting.unit);
+        Floats open{};
+        if constexpr (walls)
+          open = open_past_walls(wall, in.walls[partner], d);
+        return meet<walls>(number, pressure, i.support, q, partner, d, open, near);
+      },
+      [&](Near& near) {
+        const QuadState& q = in.quads[near.partner];
+        find_stress<Seen::direct, limited, mixed>(sum, i, q, near, relative_velocity(i, q), meeting.beta);
+      },
+      [&](const Near& near) {
+        add_pairs<Seen::direct>(sum, near, relative_velocity(i, in.quads[near.partner]));
+      });
+  sum.number += number;
+  sum.pressure += pressure;
 }
 
 //! The images of the partners behind the plate. An image is never nearer than its original, so the quad's
@@ -236,74 +293,106 @@ void add_direct(Sums& sum, const Side& i, [[maybe_unused]] const Walls& wall, co
 //! plate, which is the same point for i and the image of j as for j and the image of i: action stays equal to
 //! reaction at the rim.
 template <bool limited, bool mixed>
-void add_images(Sums& sum, const Side& i, Floats absolute_y, Floats absolute_z, const std::int32_t* partners,
-                int count, const PairInput& in, const Unit& unit, const PairSettings& s)
+void add_images(Sums& sum, const Side& i, Floats absolute_y, Floats absolute_z, const Meeting& meeting)
 {
+  const PairInput& in = meeting.in;
+  const MirrorPlate& plate = meeting.settings.plate;
   const Floats zero{}, one = zero + 1.0f;
-  const Floats own_x = to_floats(i.x) * unit.x;
-  const auto half_y = static_cast<float>(s.plate.half_y), half_z = static_cast<float>(s.plate.half_z);
-  for (int n = 0; n < count; ++n) {
-    const QuadState& q = in.quads[partners[n]];
-    Vector d = difference(i, q, unit), v = relative_velocity(i, q);
-    const Floats x_j = to_floats(tile(q.x)) * unit.x;
-    d.x = own_x + x_j; // x_i - (-x_j) < 0
-    v.x = i.vx + tile(q.vx);
-    Floats open = own_x < 0.0f ? one : zero;
-    open = x_j < 0.0f ? open : zero;
-    if (!s.plate.endless) {
-      const Floats share = own_x / min(d.x, zero - 1e-30f); // of the way to the image
-      const Floats cross_y = absolute_y - share * d.y, cross_z = absolute_z - share * d.z;
-      open = max(cross_y, -cross_y) <= half_y ? open : zero;
-      open = max(cross_z, -cross_z) <= half_z ? open : zero;
-    }
-    add_pairs<Seen::in_plate, limited, mixed>(sum, i, q, d, v, static_cast<float>(s.beta), open);
-  }
+  const Floats own_x = to_floats(i.x) * meeting.unit.x;
+  const auto half_y = static_cast<float>(plate.half_y), half_z = static_cast<float>(plate.half_z);
+  const auto velocity_of = [&](const QuadState& q) { // of the image
+    const Vector v = relative_velocity(i, q);
+    return Vector{-i.vx - tile(q.vx), v.y, v.z};
+  };
+  Floats number{}, pressure{};
+  for_near(
+      meeting,
+      [&](std::int32_t partner, Near& near) {
+        const QuadState& q = in.quads[partner];
+        Vector d = difference(i, q, meeting.unit);
+        const Floats x_j = to_floats(tile(q.x)) * meeting.unit.x;
+        d.x = own_x + x_j; // x_i - (-x_j) < 0
+        Floats open = own_x < 0.0f ? one : zero;
+        open = x_j < 0.0f ? open : zero;
+        if (!plate.endless) {
+          const Floats share = own_x / min(d.x, zero - 1e-30f); // of the way to the image
+          const Floats cross_y = absolute_y - share * d.y, cross_z = absolute_z - share * d.z;
+          open = max(cross_y, -cross_y) <= half_y ? open : zero;
+          open = max(cross_z, -cross_z) <= half_z ? open : zero;
+        }
+        return meet<true>(number, pressure, i.support, q, partner, d, open, near);
+      },
+      [&](Near& near) {
+        const QuadState& q = in.quads[near.partner];
+        find_stress<Seen::in_plate, limited, mixed>(sum, i, q, near, velocity_of(q), meeting.beta);
+      },
+      [&](const Near& near) { add_pairs<Seen::in_plate>(sum, near, velocity_of(in.quads[near.partner])); });
+  sum.number += number;
+  sum.pressure += pressure;
 }
 
 //! The images of the partners in the lanes' own walls. A pair acts where both stand before walls that face one way.
 template <bool limited, bool mixed>
-void add_wall_images(Sums& sum, const Side& i, const Walls& wall, const std::int32_t* partners, int count,
-                     const PairInput& in, const Unit& unit, float beta)
+void add_wall_images(Sums& sum, const Side& i, const Walls& wall, const Meeting& meeting)
 {
   constexpr float same_way = 0.5f; // cosine between the normals: the other side of an edge has its own flow
+  const PairInput& in = meeting.in;
   const Floats zero{};
-  for (int n = 0; n < count; ++n) {
-    const QuadState& q = in.quads[partners[n]];
-    const QuadWalls& w = in.walls[partners[n]];
-    if (!any_open(w))
-      continue;
-    const Vector direct = difference(i, q, unit), apart = relative_velocity(i, q);
-    const Floats height = // of j above the lane's wall
-        wall.height - (direct.x * wall.x + direct.y * wall.y + direct.z * wall.z);
-    const Floats facing = tile(w.x) * wall.x + tile(w.y) * wall.y + tile(w.z) * wall.z;
-    Floats open = min(wall.open, tile(w.open));
-    open = height > 0.0f ? open : zero;
-    open = wall.height > 0.0f ? open : zero;
-    open = facing > same_way ? open : zero;
-    const Floats lift = 2.0f * height;
-    const Vector d{direct.x + lift * wall.x, direct.y + lift * wall.y, direct.z + lift * wall.z};
+  const auto velocity_of = [&](const QuadState& q) { // of the image
+    const Vector v = relative_velocity(i, q);
     const Floats away = 2.0f * (tile(q.vx) * wall.x + tile(q.vy) * wall.y + tile(q.vz) * wall.z - wall.speed);
-    const Vector v{apart.x + away * wall.x, apart.y + away * wall.y, apart.z + away * wall.z};
-    const Floats across = 2.0f * (d.x * wall.x + d.y * wall.y + d.z * wall.z);
-    add_pairs<Seen::in_wall, limited, mixed>(
-        sum, i, q, d, v, beta, open, {d.x - across * wall.x, d.y - across * wall.y, d.z - across * wall.z});
-  }
+    return Vector{v.x - away * wall.x, v.y - away * wall.y, v.z - away * wall.z};
+  };
+  Floats number{}, pressure{};
+  for_near(
+      meeting,
+      [&](std::int32_t partner, Near& near) {
+        const QuadState& q = in.quads[partner];
+        const QuadWalls& w = in.walls[partner];
+        if (!any_open(w))
+          return false;
+        const Vector direct = difference(i, q, meeting.unit);
+        const Floats height = // of j above the lane's wall
+            wall.height - (direct.x * wall.x + direct.y * wall.y + direct.z * wall.z);
+        const Floats facing = tile(w.x) * wall.x + tile(w.y) * wall.y + tile(w.z) * wall.z;
+        Floats open = min(wall.open, tile(w.open));
+        open = height > 0.0f ? open : zero;
+        open = wall.height > 0.0f ? open : zero;
+        open = facing > same_way ? open : zero;
+        const Floats lift = 2.0f * height;
+        const Vector d{direct.x + lift * wall.x, direct.y + lift * wall.y, direct.z + lift * wall.z};
+        return meet<true>(number, pressure, i.support, q, partner, d, open, near);
+      },
+      [&](Near& near) {
+        const QuadState& q = in.quads[near.partner];
+        const Vector& d = near.d;
+        const Floats across = 2.0f * (d.x * wall.x + d.y * wall.y + d.z * wall.z);
+        find_stress<Seen::in_wall, limited, mixed>(
+            sum, i, q, near, velocity_of(q), meeting.beta,
+            {d.x - across * wall.x, d.y - across * wall.y, d.z - across * wall.z});
+      },
+      [&](const Near& near) { add_pairs<Seen::in_wall>(sum, near, velocity_of(in.quads[near.partner])); });
+  sum.number += number;
+  sum.pressure += pressure;
 }
 
 //! Lanes of one row together, times what the terms left out.
-BIRDSTRIKE_INLINE void store(const Sums& sum, QuadSums& to, int row)
+template <bool mixed>
+BIRDSTRIKE_INLINE void store(Sums& sum, QuadSums& to, int row)
 {
   const auto add = [](Floats a, Floats b) { return a + b; };
   const auto total = [&](Floats a, float factor, float* out) { fold(factor * a, out + row, add); };
+  if constexpr (!mixed) // all shares are 1
+    sum.work = sum.gradient[0] + sum.gradient[4] + sum.gradient[8];
   total(sum.fx, 6, to.fx);
   total(sum.fy, 6, to.fy);
   total(sum.fz, 6, to.fz);
   for (int c = 0; c < 9; ++c)
-    total(sum.gradient[c], 6, to.gradient[c]);
+    total(sum.gradient[c], -6, to.gradient[c]);
   total(sum.number, 1, to.number);
   total(sum.pressure, 1, to.pressure);
-  total(sum.work, -6, to.work);
-  total(sum.heating, -3, to.heating);
+  total(sum.work, 6, to.work);
+  total(sum.heating, 3, to.heating);
   fold(sum.mu, to.mu + row, [](Floats a, Floats b) { return max(a, b); });
   total(sum.wall, 6, to.wall);
   total(sum.wall_y, 6, to.wall_y);
@@ -314,9 +403,13 @@ template <bool limited, bool mixed>
 void rates_of(int quad, const Quad& list, const std::int32_t* all_partners, const PairInput& in,
               const PairSettings& s, QuadSums& sums)
 {
-  const std::int32_t* partners = all_partners + list.first;
-  const Unit unit{static_cast<float>(s.unit.x), static_cast<float>(s.unit.y), static_cast<float>(s.unit.z)};
-  const auto beta = static_cast<float>(s.beta);
+  const Meeting meeting{
+      all_partners + list.first,
+      list.partners,
+      in,
+      s,
+      {static_cast<float>(s.unit.x), static_cast<float>(s.unit.y), static_cast<float>(s.unit.z)},
+      static_cast<float>(s.beta)};
   const QuadState& own = in.quads[quad];
   const bool before_wall = in.walls && any_open(in.walls[quad]);
   for (int row = 0; row < list.count; row += rows_at_once) {
@@ -324,16 +417,15 @@ void rates_of(int quad, const Quad& list, const std::int32_t* all_partners, cons
     Sums sum;
     if (before_wall) {
       const Walls wall = spread_walls(in.walls[quad], row);
-      add_direct<limited, mixed, true>(sum, i, wall, partners, list.partners, in, unit, beta);
-      add_wall_images<limited, mixed>(sum, i, wall, partners, list.partners, in, unit, beta);
+      add_direct<limited, mixed, true>(sum, i, wall, meeting);
+      add_wall_images<limited, mixed>(sum, i, wall, meeting);
     } else {
-      add_direct<limited, mixed, false>(sum, i, Walls(), partners, list.partners, in, unit, beta);
+      add_direct<limited, mixed, false>(sum, i, Walls(), meeting);
     }
     if (s.plate.present && in.ahead[quad])
-      add_images<limited, mixed>(sum, i, spread<Floats>(in.absolute_y + quad * quad_size + row),
-                                 spread<Floats>(in.absolute_z + quad * quad_size + row), partners,
-                                 list.partners, in, unit, s);
-    store(sum, sums, row);
+      add_images<limited, mixed>(sum, i, spread(in.absolute_y + quad * quad_size + row),
+                                 spread(in.absolute_z + quad * quad_size + row), meeting);
+    store<mixed>(sum, sums, row);
   }
 }
 
@@ -360,8 +452,8 @@ int search(const QuadPlace& quad, const QuadPlace* places, int begin, int end, c
   Floats support[quad_size / rows_at_once], reach[quad_size / rows_at_once];
   for (int k = 0; k < quad_size / rows_at_once; ++k) {
     const int row = k * rows_at_once;
-    x[k] = spread<Ints>(quad.x + row), y[k] = spread<Ints>(quad.y + row), z[k] = spread<Ints>(quad.z + row);
-    support[k] = spread<Floats>(quad.support + row), reach[k] = spread<Floats>(quad.reach + row);
+    x[k] = spread(quad.x + row), y[k] = spread(quad.y + row), z[k] = spread(quad.z + row);
+    support[k] = spread(quad.support + row), reach[k] = spread(quad.reach + row);
   }
   int count = 0;
   Ints close{};

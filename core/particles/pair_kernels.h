@@ -47,8 +47,8 @@ struct alignas(64) QuadState
   float pressure[quad_size];       //!< [Pa]
   float stress[quad_size];         //!< (p + q) / x^2, x = rho / rho0 [Pa]
   float sound_speed[quad_size];    //!< times alpha / 2 [m/s]
-  float inertia[quad_size];        //!< rho / x^2, what stands in Q_ij for the density [kg/m3]
-  float limiter[quad_size];        //!< f of artificial_viscosity.h [-]
+  float lightness[quad_size];      //!< x^2 / rho, inverse of what stands in Q_ij for the density [m3/kg]
+  float smooth[quad_size];         //!< 1 - f of artificial_viscosity.h [-]
   float strain_rate[6][quad_size]; //!< xx, yy, zz, and xy + yx, xz + zx, yz + zy of grad v [m/s per spacing]
   float rest_density[quad_size];   //!< rho0 [kg/m3]
 };

@@ -121,8 +121,8 @@ void SphRates::prepare(Particles& p, const Trial& trial, const Quad& list, std::
     state.pressure[l] = single(p.pressure[i]);
     state.stress[l] = single((p.pressure[i] + q) / (x * x));
     state.sound_speed[l] = single(0.5 * settings_.viscosity.linear * p.sound_speed[i]);
-    state.inertia[l] = single(rho0 / x);
-    state.limiter[l] = single(rates.limiter[i]);
+    state.lightness[l] = single(x / rho0);
+    state.smooth[l] = single(1 - rates.limiter[i]);
     for (std::size_t c = 0; c < 6; ++c)
       state.strain_rate[c][l] = single(rates.strain_rate[c][i] * p.spacing);
     state.rest_density[l] = single(rho0);
@@ -179,7 +179,7 @@ void SphRates::finish(Particles& p, const Quad& list, const QuadState& state, co
     // The mass may differ from volume times density (dissertation 8.3.3): that is inertia and nothing else.
     const double cell = cell_[p.part[i]], per_density = cell / p.mass[i];
     const double rest_density = rest_density_[p.part[i]],
-                 x = rest_density / static_cast<double>(state.inertia[l]);
+                 x = rest_density * static_cast<double>(state.lightness[l]);
     std::array<double, 9> g; // grad v
     for (std::size_t c = 0; c < 9; ++c)
       g[c] = sums.gradient[c][l] * per_spacing / x;
