@@ -12,9 +12,7 @@ using namespace birdstrike;
 
 namespace {
 
-// Pairs are computed in single precision: a term is right to some units of 2^-24 = 6e-8 of itself, a sum to some of the sum
-// of the terms' magnitudes.
-constexpr double single = 5e-7;
+using samples::single;
 
 Settings with(ViscosityKind kind, double linear, double quadratic)
 {
