@@ -114,6 +114,8 @@ struct Simulation::State
   SphRates sph;
   Neighbours neighbours;
   std::vector<double> trial_vx, trial_vy, trial_vz, trial_density, trial_energy;
+  std::vector<double> rest_density; // of each part [kg/m3]
+  BirdPass pass;
 
   History history;
   TransducerGauges transducers;
@@ -157,8 +159,9 @@ struct Simulation::State
 
   void start();
   void advance(double dt);
-  void kick(double dt);
-  void predict(double dt);
+  void kick_target(double dt);
+  bool move(double dt);
+  void finish_kick(double dt);
   void refresh_neighbours();
   void evaluate_rates(double dt);
   void evaluate_contact(double dt);
@@ -179,72 +182,89 @@ void Simulation::State::start()
   if (mesh)
     add_target_columns(history, deflections);
   require_finite(particles, rates, time);
-  predict(0);
+  for (const Part& part : particles.parts)
+    rest_density.push_back(reference_density(part.eos));
+  move(0);
   refresh_neighbours();
   evaluate_rates(0); // finds the density,
-  predict(0);
+  move(0);
   evaluate_rates(0); // and with it the forces
+  finish_kick(0);
   book_target();
-  ledger.initial_energy = kinetic_energy(particles) + internal_energy(particles) + ledger.target.total();
+  ledger.initial_energy = pass.sums().kinetic + pass.sums().internal + ledger.target.total();
   book();
 }
 
 void Simulation::State::advance(double dt)
 {
-  kick(0.5 * dt);
-  {
+  kick_target(0.5 * dt);
+  ledger.viscous += 0.5 * dt * pass.sums().viscous_power;
+  const bool anyone_past_plate = move(dt);
+  if (anyone_past_plate) {
     const Stopwatch watch{shares.contact};
-    ledger.impulse += drift(particles, target_plate(), dt, settings.periodic.has_value());
+    ledger.impulse += throw_back(particles, *plate, dt, settings.periodic.has_value());
+    for_each_row(particles.size(),
+                 [&](std::size_t i) { trial_vx[i] = particles.vx[i] + 0.5 * dt * rates.ax[i]; });
   }
   if (Shells* structure = shells()) {
     const Stopwatch watch{shares.shells};
     structure->drift(dt);
   }
-  predict(dt);
   refresh_neighbours();
   evaluate_rates(dt);
-  kick(0.5 * dt);
+  kick_target(0.5 * dt);
+  finish_kick(0.5 * dt);
+  ledger.viscous += 0.5 * dt * pass.sums().viscous_power;
 }
 
-//! Velocity, energy and the target's impulse by the present rates.
-void Simulation::State::kick(double dt)
+//! The target's velocities and impulses by the present forces.
+void Simulation::State::kick_target(double dt)
 {
   if (Shells* structure = shells()) {
     const Stopwatch watch{shares.shells};
     structure->kick(dt);
   }
-  const Stopwatch watch{shares.particles};
-  Particles& p = particles;
-  for_each_row(p.size(), [&](std::size_t i) {
-    p.vx[i] += rates.ax[i] * dt;
-    p.vy[i] += rates.ay[i] * dt;
-    p.vz[i] += rates.az[i] * dt;
-    p.energy[i] += rates.energy[i] * dt;
-  });
-  ledger.viscous += dt * ordered_sum(p.size(), [&](std::size_t i) { return p.mass[i] * rates.viscous[i]; });
   ledger.impulse += ledger.contact_force * dt;
   if (plate)
     book_impulse(*plate, dt);
 }
 
-//! Velocity, density, energy and h as they will be at the end of a step, to first order: what the rates there need.
-//! Velocities and energies have been taken through the first half of \p dt already, densities not.
-void Simulation::State::predict(double dt)
+//! The second half of the particles' kick, and all that is to be known of them after it.
+void Simulation::State::finish_kick(double dt)
+{
+  const Stopwatch watch{shares.particles};
+  pass.kick(particles, rates, settings.viscosity, dt);
+  if (!pass.sums().finite)
+    require_finite(particles, rates, time);
+}
+
+//! Velocities and energies through the first half of a step of length \p dt, places to its end; then velocity, density,
+//! energy and h as they will be there, to first order: what the rates there need.
+//! \return whether a particle is behind the plate's plane
+bool Simulation::State::move(double dt)
 {
   const Stopwatch watch{shares.particles};
   constexpr double least =
       0.1; // of the density before; the compression limit of the time step keeps far from it
   Particles& p = particles;
-  for_each_row(p.size(), [&](std::size_t i) {
-    trial_vx[i] = p.vx[i] + 0.5 * dt * rates.ax[i];
-    trial_vy[i] = p.vy[i] + 0.5 * dt * rates.ay[i];
-    trial_vz[i] = p.vz[i] + 0.5 * dt * rates.az[i];
-    trial_density[i] = std::max(p.density[i] + dt * rates.density[i], least * p.density[i]);
-    trial_energy[i] = p.energy[i] + 0.5 * dt * rates.viscous[i]; // less the work of the pressure at the end
-    p.smoothing_length[i] =
-        smoothing_length(p.initial_smoothing, reference_density(p.parts[p.part[i]].eos), trial_density[i],
-                         settings.smoothing_shrink, settings.smoothing_growth);
-  });
+  const double half = 0.5 * dt;
+  const double foremost = ordered_reduce(
+      p.size(), -1e300,
+      [&](double& x, std::size_t i) {
+        const double ax = rates.ax[i] * half, ay = rates.ay[i] * half, az = rates.az[i] * half;
+        p.vx[i] += ax, p.vy[i] += ay, p.vz[i] += az;
+        p.energy[i] += rates.energy[i] * half;
+        p.x[i] += p.vx[i] * dt, p.y[i] += p.vy[i] * dt, p.z[i] += p.vz[i] * dt;
+        trial_vx[i] = p.vx[i] + ax, trial_vy[i] = p.vy[i] + ay, trial_vz[i] = p.vz[i] + az;
+        trial_density[i] = std::max(p.density[i] + dt * rates.density[i], least * p.density[i]);
+        trial_energy[i] = p.energy[i] + half * rates.viscous[i]; // less the work of the pressure at the end
+        p.smoothing_length[i] =
+            smoothing_length(p.initial_smoothing, rest_density[p.part[i]], trial_density[i],
+                             settings.smoothing_shrink, settings.smoothing_growth);
+        x = std::max(x, p.x[i]);
+      },
+      [](double& a, double b) { a = std::max(a, b); });
+  return plate && foremost >= 0;
 }
 
 void Simulation::State::refresh_neighbours()
@@ -284,7 +304,8 @@ void Simulation::State::evaluate_rates(double dt)
     sph.evaluate(particles, trial_vx, trial_vy, trial_vz, trial_density, trial_energy, neighbours, rates,
                  mirror ? &walls : nullptr);
     particles.density = rates.summed_density;
-    require_finite(particles, rates, time);
+    if (contact) // looks at places and velocities
+      require_finite(particles, rates, time);
   }
   if (plate) {
     const Stopwatch watch{shares.contact};
@@ -347,7 +368,7 @@ TimeStep Simulation::State::find_step()
     others.push_back({structure->stable_step(), "shells"});
   if (contact)
     others.push_back({settings.courant * contact->stable_step(), "contact"});
-  return stable_time_step(particles, rates, settings, others, stable, time);
+  return stable_time_step(pass.sums().limits, settings, others, stable, time);
 }
 
 void Simulation::State::book_target()
@@ -367,9 +388,9 @@ void Simulation::State::book_target()
 void Simulation::State::book()
 {
   const Stopwatch watch{shares.gauges};
-  ledger.momentum = total_momentum(particles);
-  ledger.kinetic = kinetic_energy(particles);
-  ledger.internal = internal_energy(particles);
+  ledger.momentum = pass.sums().momentum;
+  ledger.kinetic = pass.sums().kinetic;
+  ledger.internal = pass.sums().internal;
   book_target();
   double highest = 0;
   if (mesh)
@@ -378,7 +399,7 @@ void Simulation::State::book()
   if (plate)
     for (const Vector3& force : plate->force)
       highest = std::max(highest, force[0] / plate->element_area());
-  record(history, particles, ledger, time, step.size, highest);
+  record(history, pass.peaks(), ledger, time, step.size, highest);
   if (mesh)
     record_target(history, *mesh, deflections, ledger, contact ? contact->leaked() : 0, time);
   transducers.record(particles, rates, time);

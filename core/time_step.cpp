@@ -4,21 +4,14 @@
 #include "core/error.h"
 #include "core/parallel.h"
 
-#include <array>
 #include <cstdio>
 
 namespace birdstrike {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> limits{"sound", "acceleration", "compression", "flight"};
 constexpr double largest_growth = 1.2;      // of the step, from one to the next [-]
 constexpr double largest_compression = 0.1; // of the density in one step [-]
-
-struct Candidate
-{
-  std::array<double, 4> size{1e300, 1e300, 1e300, 1e300};
-};
 
 [[noreturn]] void report_broken(const Particles& p, std::size_t i, double time)
 {
@@ -45,33 +38,17 @@ struct Candidate
 
 } // namespace
 
-TimeStep stable_time_step(const Particles& p, const Rates& r, const Settings& settings,
+TimeStep stable_time_step(const StepLimits& limits, const Settings& settings,
                           const std::vector<TimeStep>& others, const TimeStep& last, double time)
 {
-  const double alpha = settings.viscosity.linear, beta = settings.viscosity.quadratic;
-  const Candidate best = ordered_reduce(
-      p.size(), Candidate{},
-      [&](Candidate& c, std::size_t i) {
-        const double h = p.smoothing_length[i], sound = p.sound_speed[i];
-        const double a2 = r.ax[i] * r.ax[i] + r.ay[i] * r.ay[i] + r.az[i] * r.az[i];
-        const double v2 = p.vx[i] * p.vx[i] + p.vy[i] * p.vy[i] + p.vz[i] * p.vz[i];
-        c.size[0] = std::min(c.size[0], h / (sound + 0.6 * (alpha * sound + beta * r.approach[i])));
-        c.size[1] = std::min(c.size[1], std::sqrt(h / std::sqrt(a2 + 1e-300)));
-        const double dense = std::max(p.density[i], reference_density(p.parts[p.part[i]].eos));
-        c.size[2] = std::min(c.size[2], largest_compression * dense / (std::abs(r.density[i]) + 1e-300));
-        c.size[3] = std::min(c.size[3], h / std::sqrt(v2 + 1e-300));
-      },
-      [](Candidate& a, const Candidate& b) {
-        for (std::size_t k = 0; k < a.size.size(); ++k)
-          a.size[k] = std::min(a.size[k], b.size[k]);
-      });
-
   TimeStep step{1e300, "sound"};
-  for (std::size_t k = 0; k < limits.size(); ++k) {
-    const double size = limits[k] == "compression" ? best.size[k] : settings.courant * best.size[k];
-    if (size < step.size)
-      step = {size, limits[k]};
-  }
+  for (const TimeStep& own :
+       {TimeStep{settings.courant * limits.sound, "sound"},
+        TimeStep{settings.courant * std::sqrt(std::sqrt(limits.acceleration)), "acceleration"},
+        TimeStep{largest_compression * limits.compression, "compression"},
+        TimeStep{settings.courant * std::sqrt(limits.flight), "flight"}})
+    if (own.size < step.size)
+      step = own;
   for (const TimeStep& other : others)
     if (other.size < step.size)
       step = other;

@@ -2,7 +2,7 @@
 // The largest stable time step, and what rules it.
 #pragma once
 
-#include "core/particles/sph_rates.h"
+#include "core/particles/bird_sums.h"
 
 #include <string_view>
 #include <vector>
@@ -27,7 +27,7 @@ struct TimeStep
 //! \param others  limits of shells and contact, with their names
 //! \param last    the one before, not shortened; size 0 at the start
 //! \throw RunError if the step has become too small to go on
-TimeStep stable_time_step(const Particles& particles, const Rates& rates, const Settings& settings,
+TimeStep stable_time_step(const StepLimits& limits, const Settings& settings,
                           const std::vector<TimeStep>& others, const TimeStep& last, double time);
 
 //! The size [s], not above \p size, of which a whole number fills the time that is left. One short step at the end of every

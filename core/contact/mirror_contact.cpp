@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/contact/mirror_contact.h"
 
-#include "core/parallel.h"
-
 namespace birdstrike {
 
 namespace {
@@ -62,16 +60,9 @@ void book_impulse(RigidPlate& plate, double duration)
     plate.impulse[e] += plate.force[e] * duration;
 }
 
-Vector3 drift(Particles& p, RigidPlate* plate, double duration, bool endless)
+Vector3 throw_back(Particles& p, RigidPlate& plate, double duration, bool endless)
 {
-  for_each_row(p.size(), [&](std::size_t i) {
-    p.x[i] += p.vx[i] * duration;
-    p.y[i] += p.vy[i] * duration;
-    p.z[i] += p.vz[i] * duration;
-  });
   Vector3 impulse = Vector3::Zero();
-  if (!plate)
-    return impulse;
   for (std::size_t i = 0; i < p.size(); ++i) {
     const double before = p.x[i] - p.vx[i] * duration;
     if (p.x[i] < 0 || before >= 0)
@@ -79,14 +70,14 @@ Vector3 drift(Particles& p, RigidPlate* plate, double duration, bool endless)
     const double share = p.x[i] / (p.x[i] - before); // of the way, beyond the plate
     double y = p.y[i] - share * p.vy[i] * duration, z = p.z[i] - share * p.vz[i] * duration;
     if (endless) {
-      y = std::clamp(y, -0.5 * plate->size_y, 0.5 * plate->size_y);
-      z = std::clamp(z, -0.5 * plate->size_z, 0.5 * plate->size_z);
+      y = std::clamp(y, -0.5 * plate.size_y, 0.5 * plate.size_y);
+      z = std::clamp(z, -0.5 * plate.size_z, 0.5 * plate.size_z);
     }
-    const int element = plate->element_at(y, z);
+    const int element = plate.element_at(y, z);
     if (element < 0)
       continue;
     const Vector3 push{2 * p.mass[i] * p.vx[i], 0, 0};
-    plate->impulse[static_cast<std::size_t>(element)] += push;
+    plate.impulse[static_cast<std::size_t>(element)] += push;
     impulse += push;
     p.x[i] = -std::max(p.x[i], 1e-12); // strictly in front, or the next crossing would not be seen
     p.vx[i] = -p.vx[i];

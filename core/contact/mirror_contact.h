@@ -20,11 +20,10 @@ Vector3 collect_contact_force(const Particles& particles, const Rates& rates, Ri
 //! Add force times \p duration [s] to the elements' impulses.
 void book_impulse(RigidPlate& plate, double duration);
 
-//! Move all particles by velocity times \p duration [s]. Whoever would come through the plate is thrown back as
-//! light from a mirror, which keeps its energy; the images' pressure makes this rare.
-//! \param plate     null without one
+//! Whoever has come through the plate, moving with its velocity for \p duration [s], is thrown back as light from a mirror,
+//! which keeps its energy; the images' pressure makes this rare.
 //! \param endless   the plate has no rim, as in a box that repeats
 //! \return impulse handed to the plate by that [N s]
-Vector3 drift(Particles& particles, RigidPlate* plate, double duration, bool endless = false);
+Vector3 throw_back(Particles& particles, RigidPlate& plate, double duration, bool endless = false);
 
 } // namespace birdstrike

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/gauges/bird_history.h"
 
-#include "core/parallel.h"
-
-#include <limits>
+#include <algorithm>
 
 namespace birdstrike {
 
@@ -30,41 +28,32 @@ History make_bird_history(const Particles& particles)
 
 namespace {
 
-//! Largest value of \p values in each part, and before them the largest of all.
-std::vector<double> maxima(const Particles& p, const std::vector<double>& values)
+//! The largest of all parts, then that of each.
+void append(std::vector<double>& row, const std::vector<PartPeaks>& peaks, double PartPeaks::*value)
 {
-  using Maxima = std::vector<double>;
-  const Maxima none(p.parts.size(), -std::numeric_limits<double>::infinity());
-  Maxima of_part = ordered_reduce(
-      p.size(), none, [&](Maxima& m, std::size_t i) { m[p.part[i]] = std::max(m[p.part[i]], values[i]); },
-      [](Maxima& a, const Maxima& b) {
-        for (std::size_t k = 0; k < a.size(); ++k)
-          a[k] = std::max(a[k], b[k]);
-      });
-  if (of_part.empty()) // no bird
-    return {0};
-  of_part.insert(of_part.begin(), *std::max_element(of_part.begin(), of_part.end()));
-  return of_part;
+  const std::size_t all = row.size();
+  row.push_back(peaks.empty() ? 0 : peaks.front().*value); // no bird: 0
+  for (const PartPeaks& peak : peaks) {
+    row[all] = std::max(row[all], peak.*value);
+    row.push_back(peak.*value);
+  }
 }
 
 } // namespace
 
-void record(History& history, const Particles& p, const Ledger& ledger, double time, double time_step,
-            double max_contact_pressure)
+void record(History& history, const std::vector<PartPeaks>& peaks, const Ledger& ledger, double time,
+            double time_step, double max_contact_pressure)
 {
   std::vector<double>& v = history.values;
-  const auto append = [&v](const std::vector<double>& values) {
-    v.insert(v.end(), values.begin(), values.end());
-  };
   v.insert(v.end(), {time, time_step});
-  append(maxima(p, p.pressure));
+  append(v, peaks, &PartPeaks::pressure);
   for (int k = 0; k < 3; ++k)
     v.push_back(ledger.contact_force[k]);
   for (int k = 0; k < 3; ++k)
     v.push_back(ledger.impulse[k]);
   v.insert(v.end(),
            {max_contact_pressure, ledger.kinetic, ledger.internal, ledger.viscous, ledger.balance_error()});
-  append(maxima(p, p.mean_pressure));
+  append(v, peaks, &PartPeaks::mean_pressure);
 }
 
 } // namespace birdstrike

@@ -4,7 +4,7 @@
 
 #include "core/gauges/history.h"
 #include "core/gauges/ledger.h"
-#include "core/particles/particles.h"
+#include "core/particles/bird_sums.h"
 
 namespace birdstrike {
 
@@ -14,8 +14,9 @@ namespace birdstrike {
 History make_bird_history(const Particles& particles);
 
 //! Append the state of this moment. A part's maximum is over its particles, whatever its sign.
+//! \param peaks                 of each part
 //! \param max_contact_pressure  over the target's elements [Pa]
-void record(History& history, const Particles& particles, const Ledger& ledger, double time, double time_step,
-            double max_contact_pressure);
+void record(History& history, const std::vector<PartPeaks>& peaks, const Ledger& ledger, double time,
+            double time_step, double max_contact_pressure);
 
 } // namespace birdstrike

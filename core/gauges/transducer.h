@@ -39,7 +39,7 @@ public:
   TransducerGauges(std::vector<Transducer> transducers, double spacing);
 
   //! Append the pressures of this moment: the plate's forces on the particles, by their shares on the face, over the
-  //! face's area. What drift() throws back at the plate is an impulse between two moments and is not in it.
+  //! face's area. What throw_back() throws back at the plate is an impulse between two moments and is not in it.
   void record(const Particles& particles, const Rates& rates, double time);
 
   //! Columns time, then <name>_raw and <name>_filtered of each; no column at all without a transducer.

@@ -50,7 +50,12 @@ TEST_CASE("a particle that would come through is thrown back with its energy", "
   p.x = {-0.1, -0.1}, p.y = {0, 3}, p.z = {0, 0}; // the second flies past the rim
   p.vx = {10, 10}, p.vy = {2, 0}, p.vz = {0, 0};
   RigidPlate plate = make_rigid_plate(1, 1, 0.01, 1, 1);
-  const Vector3 impulse = drift(p, &plate, 0.03);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    p.x[i] += 0.03 * p.vx[i];
+    p.y[i] += 0.03 * p.vy[i];
+    p.z[i] += 0.03 * p.vz[i];
+  }
+  const Vector3 impulse = throw_back(p, plate, 0.03);
   CHECK(p.x[0] == Approx(-0.2));
   CHECK(p.vx[0] == -10);
   CHECK(p.vy[0] == 2);
