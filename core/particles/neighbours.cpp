@@ -11,6 +11,8 @@ namespace birdstrike {
 
 namespace {
 
+constexpr int most_runs = 64; // of candidates looked through in one go
+
 struct Range
 {
   double lower = 1e300, upper = -1e300;
@@ -248,8 +250,18 @@ void Neighbours::search(std::size_t quad, double longest_reach, Found& found)
     return std::max({0.0, low - box.high[axis], box.low[axis] - high});
   };
 
+  QuadRun runs[most_runs];
+  int run_count = 0, candidates = 0;
   Quad& list = quads_[quad];
   list.first = static_cast<std::int64_t>(found.partners.size());
+  const auto search_runs = [&] {
+    const std::size_t size = found.partners.size();
+    found.partners.resize(size + static_cast<std::size_t>(candidates) + 1); // one is written ahead
+    const int count = kernels.search(place, places_.data(), runs, run_count, unit,
+                                     found.partners.data() + size, &found.neighbours);
+    found.partners.resize(size + static_cast<std::size_t>(count));
+    run_count = candidates = 0;
+  };
   for (int kz = around_z.first; kz <= around_z.second; ++kz) {
     const double dz = apart(2, kz, origin_z_, width_z_, pencils_z_, period_.z);
     for (int ky = around_y.first; ky <= around_y.second; ++ky) {
@@ -269,14 +281,14 @@ void Neighbours::search(std::size_t quad, double longest_reach, Found& found)
         ++to;
       if (from == to)
         continue;
-      const std::size_t size = found.partners.size();
-      found.partners.resize(size + static_cast<std::size_t>(to - from));
-      const int count = kernels.search(place, places_.data(), static_cast<int>(from - boxes_.begin()),
-                                       static_cast<int>(to - boxes_.begin()), unit,
-                                       found.partners.data() + size, &found.neighbours);
-      found.partners.resize(size + static_cast<std::size_t>(count));
+      if (run_count == most_runs)
+        search_runs();
+      runs[run_count++] = {static_cast<std::int32_t>(from - boxes_.begin()),
+                           static_cast<std::int32_t>(to - boxes_.begin())};
+      candidates += static_cast<int>(to - from);
     }
   }
+  search_runs();
   list.partners = static_cast<std::int32_t>(static_cast<std::int64_t>(found.partners.size()) - list.first);
   list.mixed = false;
   for (std::size_t n = static_cast<std::size_t>(list.first); n < found.partners.size(); ++n)

@@ -111,6 +111,12 @@ struct PairInput
       *absolute_z; //!< quad_size a quad, where ahead; lanes' places on the plate [spacings]
 };
 
+//! Quads [begin, end).
+struct QuadRun
+{
+  std::int32_t begin, end;
+};
+
 struct PairKernels
 {
   const char* name; //!< instruction set
@@ -119,10 +125,10 @@ struct PairKernels
   void (*rates)(const Quad* quads, int begin, int end, const std::int32_t* partners, const PairInput& in,
                 const PairSettings& settings, QuadSums* sums);
 
-  //! Of the candidates [begin, end): those with a pair within reach_i + reach_j are written to \p found.
+  //! Of the candidates in \p runs: those with a pair within reach_i + reach_j are written to \p found, in their order.
   //! \return how many; \p neighbours grows by the pairs closer than h_i + h_j
-  int (*search)(const QuadPlace& quad, const QuadPlace* places, int begin, int end, const PairUnits& unit,
-                std::int32_t* found, std::int64_t* neighbours);
+  int (*search)(const QuadPlace& quad, const QuadPlace* places, const QuadRun* runs, int run_count,
+                const PairUnits& unit, std::int32_t* found, std::int64_t* neighbours);
 };
 
 //! Builds that this processor can run, the fastest first.

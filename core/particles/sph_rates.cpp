@@ -66,8 +66,11 @@ void SphRates::read_parts(const Particles& p)
 {
   lattice_sum_ = lattice_sum(p.initial_smoothing / p.spacing, p.lattice);
   for (const Part& part : p.parts) {
-    rest_density_.push_back(reference_density(part.eos));
-    cell_.push_back(part.particle_volume > 0 ? part.particle_volume : p.spacing * p.spacing * p.spacing);
+    const double rho0 = reference_density(part.eos), lattice_cell = p.spacing * p.spacing * p.spacing;
+    const double cell = part.particle_volume > 0 ? part.particle_volume : lattice_cell;
+    parts_.push_back({rho0, 1 / rho0, cell,
+                      static_cast<float>(8 / std::numbers::pi * (cell / lattice_cell) / lattice_sum_),
+                      depends_on_energy(part.eos)});
   }
   if (p.size() > 0)
     flight_ = p.velocity(0);
@@ -78,7 +81,7 @@ void SphRates::read_parts(const Particles& p)
 void SphRates::prepare(Particles& p, const Trial& trial, const Quad& list, std::size_t quad,
                        const Rates& rates)
 {
-  const double per_spacing = 1 / p.spacing, cells = per_spacing * per_spacing * per_spacing;
+  const double per_spacing = 1 / p.spacing, half_alpha = 0.5 * settings_.viscosity.linear;
   const double image_reach = 2 * p.initial_smoothing * settings_.smoothing_growth;
   const PairUnits& unit = pair_settings_.unit;
   const WholePlace whole_x(unit.x, p.spacing), whole_y(unit.y, p.spacing), whole_z(unit.z, p.spacing);
@@ -88,17 +91,17 @@ void SphRates::prepare(Particles& p, const Trial& trial, const Quad& list, std::
   for (std::size_t l = 0; l < quad_size; ++l) {
     const bool used = l < static_cast<std::size_t>(list.count);
     const std::size_t i = static_cast<std::size_t>(list.begin) + (used ? l : 0);
+    const PartConstants& part = parts_[p.part[i]];
     if (used) {
       const EquationOfState& eos = p.parts[p.part[i]].eos;
       // Pressure and energy need each other: 5.54 or 5.55, with the work of the old pressure done already.
-      const double e = depends_on_energy(eos)
-                           ? energy_step(eos, {.energy = trial.energy[i],
-                                               .pressure = 0,
-                                               .old_volume = 1 / p.density[i],
-                                               .new_volume = 1 / trial.density[i],
-                                               .lowest_pressure = settings_.tension_cutoff})
-                                 .energy
-                           : 0;
+      const double e = part.with_energy ? energy_step(eos, {.energy = trial.energy[i],
+                                                            .pressure = 0,
+                                                            .old_volume = 1 / p.density[i],
+                                                            .new_volume = 1 / trial.density[i],
+                                                            .lowest_pressure = settings_.tension_cutoff})
+                                              .energy
+                                        : 0;
       const LawPoint point = birdstrike::evaluate(eos, trial.density[i], e);
       p.pressure[i] = std::max(point.pressure, settings_.tension_cutoff);
       p.sound_speed[i] = point.sound_speed;
@@ -106,26 +109,26 @@ void SphRates::prepare(Particles& p, const Trial& trial, const Quad& list, std::
                     trial.vy[i] == (*flight_)[1] && trial.vz[i] == (*flight_)[2];
       ahead = ahead || (p.x[i] < 0 && p.x[i] > -image_reach);
     }
-    const double rho0 = rest_density_[p.part[i]], x = trial.density[i] / rho0;
+    const double x = trial.density[i] * part.per_density, per_x2 = 1 / (x * x);
     double q = 0; // 5.58 uses the rate of compression at the end of the step before
     if (!shock_stress_.empty()) {
-      q = bulk_viscosity(trial.density[i], p.sound_speed[i], rates.divergence[i],
-                         std::cbrt(cell_[p.part[i]] / x), bulk_.linear, bulk_.quadratic);
-      shock_stress_[i] = q / (x * x);
+      q = bulk_viscosity(trial.density[i], p.sound_speed[i], rates.divergence[i], std::cbrt(part.cell / x),
+                         bulk_.linear, bulk_.quadratic);
+      shock_stress_[i] = q * per_x2;
       undisturbed = undisturbed && q == 0;
     }
     state.x[l] = whole_x(p.x[i]), state.y[l] = whole_y(p.y[i]), state.z[l] = whole_z(p.z[i]);
     state.vx[l] = single(trial.vx[i]), state.vy[l] = single(trial.vy[i]), state.vz[l] = single(trial.vz[i]);
     state.support[l] = single(p.smoothing_length[i] * per_spacing);
-    state.weight[l] = used ? single(8 / std::numbers::pi * cell_[p.part[i]] * cells / lattice_sum_) : 0.0f;
+    state.weight[l] = used ? part.weight : 0.0f;
     state.pressure[l] = single(p.pressure[i]);
-    state.stress[l] = single((p.pressure[i] + q) / (x * x));
-    state.sound_speed[l] = single(0.5 * settings_.viscosity.linear * p.sound_speed[i]);
-    state.lightness[l] = single(x / rho0);
+    state.stress[l] = single((p.pressure[i] + q) * per_x2);
+    state.sound_speed[l] = single(half_alpha * p.sound_speed[i]);
+    state.lightness[l] = single(x * part.per_density);
     state.smooth[l] = single(1 - rates.limiter[i]);
     for (std::size_t c = 0; c < 6; ++c)
       state.strain_rate[c][l] = single(rates.strain_rate[c][i] * p.spacing);
-    state.rest_density[l] = single(rho0);
+    state.rest_density[l] = single(part.rest_density);
     if (pair_settings_.plate.present) {
       absolute_y_[quad * quad_size + l] = single(p.y[i] * per_spacing);
       absolute_z_[quad * quad_size + l] = single(p.z[i] * per_spacing);
@@ -177,23 +180,24 @@ void SphRates::finish(Particles& p, const Quad& list, const QuadState& state, co
   for (std::size_t l = 0; l < static_cast<std::size_t>(list.count); ++l) {
     const std::size_t i = static_cast<std::size_t>(list.begin) + l;
     // The mass may differ from volume times density (dissertation 8.3.3): that is inertia and nothing else.
-    const double cell = cell_[p.part[i]], per_density = cell / p.mass[i];
-    const double rest_density = rest_density_[p.part[i]],
-                 x = rest_density * static_cast<double>(state.lightness[l]);
+    const PartConstants& part = parts_[p.part[i]];
+    const double cell = part.cell, per_density = cell / p.mass[i], rest_density = part.rest_density;
+    const double x = rest_density * static_cast<double>(state.lightness[l]), per_x = per_spacing / x;
     std::array<double, 9> g; // grad v
     for (std::size_t c = 0; c < 9; ++c)
-      g[c] = sums.gradient[c][l] * per_spacing / x;
+      g[c] = sums.gradient[c][l] * per_x;
     const double compression_rate = -x * (g[0] + g[4] + g[8]); // D
     const double work = sums.work[l] * per_spacing;
     const double shock = shock_stress_.empty() ? 0 : shock_stress_[i];
     p.mean_pressure[i] = sums.pressure[l] / sums.number[l];
-    r.ax[i] = sums.fx[l] * per_spacing * per_density;
-    r.ay[i] = sums.fy[l] * per_spacing * per_density;
-    r.az[i] = sums.fz[l] * per_spacing * per_density;
+    const double force = per_spacing * per_density;
+    r.ax[i] = sums.fx[l] * force;
+    r.ay[i] = sums.fy[l] * force;
+    r.az[i] = sums.fz[l] * force;
     r.wall_force[i] = sums.wall[l] * per_spacing * cell;
     if (!walls_.empty())
       r.image_force[i] = per_spacing * cell * Vector3(sums.wall[l], sums.wall_y[l], sums.wall_z[l]);
-    r.divergence[i] = -compression_rate / x;
+    r.divergence[i] = g[0] + g[4] + g[8];
     r.density[i] = rest_density * compression_rate;
     r.summed_density[i] = rest_density * compression(sums.number[l]);
     r.viscous[i] = (sums.heating[l] * per_spacing + shock * work) * per_density;

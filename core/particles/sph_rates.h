@@ -89,9 +89,16 @@ private:
   const PairKernels& kernels_;
   Settings settings_;
   PairSettings pair_settings_;
-  Viscosity bulk_;                          // 5.58's constants
-  double lattice_sum_ = 0;                  // of the undisturbed lattice [-]
-  std::vector<double> rest_density_, cell_; // of each part [kg/m3], undisturbed volume [m3]
+  Viscosity bulk_;         // 5.58's constants
+  double lattice_sum_ = 0; // of the undisturbed lattice [-]
+  struct PartConstants
+  {
+    double rest_density, per_density; // rho0 [kg/m3], 1 / rho0
+    double cell;                      // undisturbed volume that a particle stands for [m3]
+    float weight;                     // see QuadState
+    bool with_energy;                 // does its pressure depend on the energy?
+  };
+  std::vector<PartConstants> parts_;
 
   std::vector<QuadState> states_;
   std::vector<QuadWalls> walls_;
