@@ -73,7 +73,7 @@ void SphRates::read_parts(const Particles& p)
                       depends_on_energy(part.eos)});
   }
   if (p.size() > 0)
-    flight_ = p.velocity(0);
+    flight_ = p.velocity(0).cast<float>();
   pair_settings_.plate.half_y /= p.spacing;
   pair_settings_.plate.half_z /= p.spacing;
 }
@@ -105,8 +105,8 @@ void SphRates::prepare(Particles& p, const Trial& trial, const Quad& list, std::
       const LawPoint point = birdstrike::evaluate(eos, trial.density[i], e);
       p.pressure[i] = std::max(point.pressure, settings_.tension_cutoff);
       p.sound_speed[i] = point.sound_speed;
-      undisturbed = undisturbed && p.pressure[i] == 0 && trial.vx[i] == (*flight_)[0] &&
-                    trial.vy[i] == (*flight_)[1] && trial.vz[i] == (*flight_)[2];
+      undisturbed = undisturbed && p.pressure[i] == 0 && single(trial.vx[i]) == (*flight_)[0] &&
+                    single(trial.vy[i]) == (*flight_)[1] && single(trial.vz[i]) == (*flight_)[2];
       ahead = ahead || (p.x[i] < 0 && p.x[i] > -image_reach);
     }
     const double x = trial.density[i] * part.per_density, per_x2 = 1 / (x * x);
@@ -158,8 +158,8 @@ void SphRates::prepare_walls(const Particles& p, const MirrorPlanes& walls, cons
   }
 }
 
-//! Has nothing reached a quad and its partners yet? Equal velocities and no pressure make rates of exactly zero, and a
-//! density that stays what it was.
+//! Has nothing reached a quad and its partners yet? No pressure and velocities that are equal in the precision of the pairs
+//! make rates of exactly zero, and a density that stays what it was to that precision.
 bool SphRates::can_skip(std::size_t quad, const Neighbours& neighbours) const
 {
   if (!undisturbed_[quad] || (pair_settings_.plate.present && ahead_[quad]))

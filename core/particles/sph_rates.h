@@ -106,7 +106,7 @@ private:
   std::vector<float> absolute_y_, absolute_z_; // the same
   std::vector<double> shock_stress_;           // q / x^2 of 5.58, rows; empty for other viscosities [Pa]
   std::vector<std::uint8_t> undisturbed_;      // of each quad: flies as it did at the start, without pressure
-  std::optional<Vector3> flight_;              // velocity at the start [m/s]
+  std::optional<Eigen::Vector3f> flight_;      // velocity at the start [m/s]
   long worked_ = 0, skipped_ = 0;
 
   struct Trial // what the rates are found for; rows of the particles
