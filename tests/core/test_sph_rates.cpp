@@ -256,6 +256,64 @@ TEST_CASE("the limited viscosity spares a smooth shear and meets a plane compres
   CHECK(jet < 0.02 * plane);
 }
 
+TEST_CASE("leaving alone what nothing has reached changes no rate", "[sph]")
+{
+  // A block in flight, of which one end has been struck.
+  const auto struck = [](bool skip, long& skipped) {
+    Particles p = samples::block(24, 7, 7, 1e-3, 0.1, {150, 20, -7});
+    Settings settings;
+    settings.skip_undisturbed = skip;
+    Neighbours neighbours(0.1 * p.initial_smoothing, {});
+    reorder(p, std::vector<std::int32_t>(neighbours.sort(p)));
+    neighbours.build(p);
+    Rates rates;
+    rates.resize(p.size());
+    SphRates sph(settings, nullptr);
+    sph.evaluate(p, p.vx, p.vy, p.vz, p.density, p.energy, neighbours, rates);
+    p.density = rates.summed_density;
+    for (std::size_t i = 0; i < p.size(); ++i)
+      if (p.x[i] > -2e-3)
+        p.vx[i] -= 10;
+    sph.evaluate(p, p.vx, p.vy, p.vz, p.density, p.energy, neighbours, rates);
+    skipped = sph.skipped();
+    return rates;
+  };
+  long skipped = 0, none = 0;
+  const Rates some = struck(true, skipped), all = struck(false, none);
+  CHECK(none == 0);
+  CHECK(skipped > 150); // of some 300 quads
+  CHECK(some.ax == all.ax);
+  CHECK(some.energy == all.energy);
+  CHECK(some.viscous == all.viscous);
+  CHECK(some.density == all.density);
+  CHECK(some.summed_density == all.summed_density);
+  CHECK(some.limiter == all.limiter);
+  CHECK(some.strain_rate[0] == all.strain_rate[0]);
+  CHECK(*std::max_element(all.energy.begin(), all.energy.end()) > 0);
+}
+
+TEST_CASE("rates are the same wherever the bird is", "[sph]")
+{
+  // Positions are whole numbers modulo 64 spacings.
+  const auto rates_at = [](double away) {
+    Particles p = samples::shaken_block(7, 2e-3, 14);
+    for (auto* array : {&p.x, &p.y, &p.z})
+      for (double& place : *array)
+        place += away;
+    return samples::rates_of(p, with(ViscosityKind::limited, 1, 2));
+  };
+  const double spacing = 2e-3;
+  const Rates here = rates_at(0);
+  for (const double away : {31.7 * spacing, 32 * spacing, 1000.1 * spacing}) {
+    const Rates there = rates_at(away);
+    double scale = 0;
+    for (const double a : here.ax)
+      scale = std::max(scale, std::abs(a));
+    for (std::size_t i = 0; i < here.ax.size(); ++i)
+      REQUIRE(std::abs(there.ax[i] - here.ax[i]) < 4 * single * scale);
+  }
+}
+
 TEST_CASE("a plate does what the mirror image of the bird would do", "[sph][contact][analytic]")
 {
   // The block and, in place of the plate, its image made of particles.
