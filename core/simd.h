@@ -148,9 +148,6 @@ BIRDSTRIKE_INLINE Floats to_floats(Ints a) { return __builtin_convertvector(a, F
 template <class Combine>
 BIRDSTRIKE_INLINE void fold(Floats a, float* to, const Combine& combine)
 {
-  Ints one, two;
-  for (int l = 0; l < lanes; ++l)
-    one[l] = l ^ 1, two[l] = l ^ 2;
 #if defined(__clang__)
   Floats b = a, c;
   for (int l = 0; l < lanes; ++l)
@@ -160,6 +157,9 @@ BIRDSTRIKE_INLINE void fold(Floats a, float* to, const Combine& combine)
     c[l] = a[l ^ 2];
   a = combine(a, c);
 #else
+  Ints one, two;
+  for (int l = 0; l < lanes; ++l)
+    one[l] = l ^ 1, two[l] = l ^ 2;
   a = combine(a, __builtin_shuffle(a, one));
   a = combine(a, __builtin_shuffle(a, two));
 #endif

@@ -27,6 +27,7 @@ struct Options
   std::vector<long> steps;
   int repeats = 3;
   double one = 0; // [mm]
+  bool skip = false;
   bool no_peer = false;
   std::string pysph, json;
 };
@@ -48,7 +49,8 @@ std::vector<Work> works_of(const Options& options)
       const long steps = options.steps.empty()       ? usual_steps(options.sizes[k])
                          : options.steps.size() == 1 ? options.steps.front()
                                                      : options.steps[k];
-      works.push_back({.spacing = options.sizes[k] * 1e-3, .steps = steps, .threads = count});
+      works.push_back(
+          {.spacing = options.sizes[k] * 1e-3, .steps = steps, .threads = count, .skip = options.skip});
     }
   return works;
 }
@@ -120,6 +122,9 @@ int main(int argc, char** argv)
                  "timed steps, one number or one a size; default: 500 from 2.5 mm, 100 from 1.2 mm, else 20")
       ->delimiter(',')
       ->check(CLI::Range(1, 1000000));
+  app.add_flag(
+      "--skip-undisturbed", options.skip,
+      "BirdStrike may leave particles alone that nothing has reached yet, as it does in its own runs");
   app.add_option("--repeats", options.repeats, "runs of each")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();

@@ -118,6 +118,7 @@ Measurement measure(const Work& work)
   settings.smoothing_shrink = 0.8;
   settings.smoothing_growth = 1.2;
   settings.threads = work.threads;
+  settings.skip_undisturbed = work.skip;
   Simulation simulation(std::move(bird), make_rigid_plate(0.5, 0.5, 5e-3, 50, 50), settings, transducers());
   Clock clock(work.steps, run);
   try {

@@ -13,7 +13,7 @@ struct Work
   double spacing = 0; //!< of the lattice [m]
   long steps = 0;     //!< timed, after those of the warm-up
   int threads = 1;
-  // What else a run of BirdStrike may be asked for goes here, and into the arguments of bench_peers --one.
+  bool skip = false; //!< may BirdStrike leave particles alone that nothing has reached yet? No peer does.
 };
 
 constexpr long warm_up = 5; // steps before the clock starts

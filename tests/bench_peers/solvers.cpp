@@ -25,10 +25,16 @@ Solver birdstrike_solver()
 {
   const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
   return {"birdstrike", [self](const Work& work) {
-            return result_of(
-                run_program({self, "--one", fmt::format("{}", work.spacing * 1e3), "--steps",
-                             std::to_string(work.steps), "--threads", std::to_string(work.threads)},
-                            work.threads));
+            std::vector<std::string> command{self,
+                                             "--one",
+                                             fmt::format("{}", work.spacing * 1e3),
+                                             "--steps",
+                                             std::to_string(work.steps),
+                                             "--threads",
+                                             std::to_string(work.threads)};
+            if (work.skip)
+              command.push_back("--skip-undisturbed");
+            return result_of(run_program(command, work.threads));
           }};
 }
 
