@@ -26,6 +26,13 @@ typedef std::int32_t Ints __attribute__((vector_size(lanes * sizeof(std::int32_t
 
 #define BIRDSTRIKE_INLINE [[gnu::always_inline, maybe_unused]] inline
 
+//! a - b modulo 2^32.
+BIRDSTRIKE_INLINE Ints whole_difference(Ints a, Ints b)
+{
+  typedef std::uint32_t Unsigned __attribute__((vector_size(lanes * sizeof(std::uint32_t))));
+  return reinterpret_cast<Ints>(reinterpret_cast<Unsigned>(a) - reinterpret_cast<Unsigned>(b));
+}
+
 //! Four numbers in a row, over and over: lane l has from[l % 4].
 BIRDSTRIKE_INLINE Floats tile(const float* from)
 {
@@ -107,7 +114,7 @@ BIRDSTRIKE_INLINE Floats min(Floats a, Floats b)
   return a < b ? a : b;
 #endif
 }
-//! 1 / a to a unit in the last place: the processor's estimate and one step of Newton's. Division costs several times as
+//! 1 / a to one unit in the last place with AVX-512, to three without: the processor's estimate and one step of Newton's. Division costs several times as
 //! much. (Estimates differ a little between makes of processors; what is left after the step hardly does.)
 BIRDSTRIKE_INLINE Floats reciprocal(Floats a)
 {

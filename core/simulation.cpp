@@ -79,11 +79,11 @@ void check(const Settings& s, const Particles& p, const RigidPlate* plate)
   require(s.smoothing_shrink > 0 && s.smoothing_shrink <= 1 && s.smoothing_growth >= 1,
           "smoothing bounds must enclose 1");
   const double widest = 2 * s.smoothing_growth * p.initial_smoothing;
-  require(widest <= 0.5 * widest_pair * p.spacing,
+  require(widest <= 0.4 * widest_pair * p.spacing,
           "with run.smoothing_growth = " + std::to_string(s.smoothing_growth) +
               " a particle may act as far as " + std::to_string(widest / p.spacing) +
               " spacings; lower it, or bird.smoothing, until that is at most " +
-              std::to_string(0.5 * widest_pair));
+              std::to_string(0.4 * widest_pair));
   if (s.periodic) {
     const double least = 4 * p.initial_smoothing * s.smoothing_growth * (1 + skin_over_h);
     require(s.periodic->size_y >= least && s.periodic->size_z >= least,

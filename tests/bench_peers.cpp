@@ -124,7 +124,8 @@ int main(int argc, char** argv)
       ->check(CLI::Range(1, 1000000));
   app.add_flag(
       "--skip-undisturbed", options.skip,
-      "BirdStrike may leave particles alone that nothing has reached yet, as it does in its own runs");
+      "BirdStrike may leave particles alone that nothing has reached yet, as it does in its own runs; "
+      "smoothing lengths are held then");
   app.add_option("--repeats", options.repeats, "runs of each")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();

@@ -42,7 +42,7 @@ Vector3 collect_contact_force(const Particles& p, const Rates& rates, RigidPlate
   double total = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
     const double force = -rates.wall_force[i];
-    if (force == 0)
+    if (!(std::abs(force) > 0)) // a NaN, too; require_finite() names it
       continue;
     total += force;
     spread(plate, force, p.y[i], p.z[i],

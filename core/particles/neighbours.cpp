@@ -70,7 +70,8 @@ bool Neighbours::is_stale(const Particles& p) const
   }
   std::array<std::int32_t, 3> mean;
   for (std::size_t k = 0; k < 3; ++k)
-    mean[k] = whole_difference(first[k], -static_cast<std::int32_t>(std::lrint(sum[k] / samples)));
+    mean[k] = whole_difference(first[k],
+                               whole_difference(0, static_cast<std::int32_t>(std::lrint(sum[k] / samples))));
 
   // A pair closes by at most both displacements, and its reach grows by both changes of h.
   const double per_spacing = 1 / p.spacing;
@@ -145,7 +146,7 @@ const std::vector<std::int32_t>& Neighbours::sort(const Particles& p)
   return order_;
 }
 
-//! Consecutive rows of a pencil, up to four and no further apart than a pencil is usually wide: all lanes of listed quads
+//! Consecutive rows of a pencil, up to four and no further apart than three spacings: all lanes of listed quads
 //! are then well within widest_pair of each other.
 void Neighbours::cut_quads(const Particles& p)
 {
@@ -250,6 +251,10 @@ void Neighbours::search(std::size_t quad, double longest_reach, Found& found)
     return std::max({0.0, low - box.high[axis], box.low[axis] - high});
   };
 
+  const bool wide = std::max(width_y_, width_z_) > 0.5 * widest_pair * found_spacing_;
+  const auto gap = [&](const Box& other, int axis) {
+    return std::max(other.low[axis] - box.high[axis], box.low[axis] - other.high[axis]);
+  };
   QuadRun runs[most_runs];
   int run_count = 0, candidates = 0;
   Quad& list = quads_[quad];
@@ -281,11 +286,21 @@ void Neighbours::search(std::size_t quad, double longest_reach, Found& found)
         ++to;
       if (from == to)
         continue;
-      if (run_count == most_runs)
-        search_runs();
-      runs[run_count++] = {static_cast<std::int32_t>(from - boxes_.begin()),
-                           static_cast<std::int32_t>(to - boxes_.begin())};
-      candidates += static_cast<int>(to - from);
+      const auto add_run = [&](auto first, auto last) {
+        if (run_count == most_runs)
+          search_runs();
+        runs[run_count++] = {static_cast<std::int32_t>(first - boxes_.begin()),
+                             static_cast<std::int32_t>(last - boxes_.begin())};
+        candidates += static_cast<int>(last - first);
+      };
+      if (!wide) {
+        add_run(from, to);
+        continue;
+      }
+      for (auto other = from; other != to;
+           ++other) // what is far off must not be taken for near modulo 64 spacings
+        if (gap(*other, 1) <= reach && gap(*other, 2) <= reach)
+          add_run(other, other + 1);
     }
   }
   search_runs();

@@ -193,8 +193,9 @@ struct Unit
 
 BIRDSTRIKE_INLINE Vector difference(const Side& i, const QuadState& q, const Unit& unit)
 {
-  return {to_floats(i.x - tile(q.x)) * unit.x, to_floats(i.y - tile(q.y)) * unit.y,
-          to_floats(i.z - tile(q.z)) * unit.z};
+  return {to_floats(whole_difference(i.x, tile(q.x))) * unit.x,
+          to_floats(whole_difference(i.y, tile(q.y))) * unit.y,
+          to_floats(whole_difference(i.z, tile(q.z))) * unit.z};
 }
 BIRDSTRIKE_INLINE Vector relative_velocity(const Side& i, const QuadState& q)
 {
@@ -299,7 +300,10 @@ void add_images(Sums& sum, const Side& i, Floats absolute_y, Floats absolute_z, 
   const MirrorPlate& plate = meeting.settings.plate;
   const Floats zero{}, one = zero + 1.0f;
   const Floats own_x = to_floats(i.x) * meeting.unit.x;
-  const auto half_y = static_cast<float>(plate.half_y), half_z = static_cast<float>(plate.half_z);
+  // Both sides of a pair find the crossing for themselves, right to single precision: one that is on the rim counts for both.
+  constexpr float rim = 1 + 4e-7f;
+  const float half_y = rim * static_cast<float>(plate.half_y),
+              half_z = rim * static_cast<float>(plate.half_z);
   const auto velocity_of = [&](const QuadState& q) { // of the image
     const Vector v = relative_velocity(i, q);
     return Vector{-i.vx - tile(q.vx), v.y, v.z};
@@ -463,8 +467,9 @@ int search(const QuadPlace& quad, const QuadPlace* places, const QuadRun* runs, 
       const QuadPlace& p = places[j];
       bool listed = false;
       for (int k = 0; k < parts; ++k) {
-        const Floats dx = to_floats(x[k] - tile(p.x)) * ux, dy = to_floats(y[k] - tile(p.y)) * uy,
-                     dz = to_floats(z[k] - tile(p.z)) * uz;
+        const Floats dx = to_floats(whole_difference(x[k], tile(p.x))) * ux,
+                     dy = to_floats(whole_difference(y[k], tile(p.y))) * uy,
+                     dz = to_floats(whole_difference(z[k], tile(p.z))) * uz;
         const Floats r2 = dx * dx + dy * dy + dz * dz;
         const Floats near = max(support[k] + tile(p.support), zero),
                      far = max(reach[k] + tile(p.reach), zero);

@@ -118,6 +118,8 @@ void SphRates::prepare(Particles& p, const Trial& trial, const Quad& list, std::
       undisturbed = undisturbed && q == 0;
     }
     state.x[l] = whole_x(p.x[i]), state.y[l] = whole_y(p.y[i]), state.z[l] = whole_z(p.z[i]);
+    if (pair_settings_.plate.present && p.x[i] < 0 && state.x[l] == 0)
+      state.x[l] = -1; // in front of the plate, however little
     state.vx[l] = single(trial.vx[i]), state.vy[l] = single(trial.vy[i]), state.vz[l] = single(trial.vz[i]);
     state.support[l] = single(p.smoothing_length[i] * per_spacing);
     state.weight[l] = used ? part.weight : 0.0f;
@@ -245,7 +247,9 @@ void SphRates::evaluate(Particles& p, const std::vector<double>& vx, const std::
 
   const PairInput in{states_.data(), walls ? walls_.data() : nullptr, ahead_.data(), absolute_y_.data(),
                      absolute_z_.data()};
-  const bool skips = settings_.skip_undisturbed && !first_time;
+  // Where h follows the density, that of a free surface goes on changing in flight.
+  const bool held = settings_.smoothing_shrink == 1 && settings_.smoothing_growth == 1;
+  const bool skips = settings_.skip_undisturbed && held && !first_time;
   long worked = 0;
 #pragma omp parallel for schedule(dynamic, 1) reduction(+ : worked)
   for (std::size_t begin = 0; begin < count; begin += quads_at_once) {

@@ -115,8 +115,10 @@ Measurement measure(const Work& work)
   Settings settings;
   settings.end_time = 1; // never reached
   settings.frames = 1;
-  settings.smoothing_shrink = 0.8;
-  settings.smoothing_growth = 1.2;
+  if (!work.skip) { // which asks for lengths that are held
+    settings.smoothing_shrink = 0.8;
+    settings.smoothing_growth = 1.2;
+  }
   settings.threads = work.threads;
   settings.skip_undisturbed = work.skip;
   Simulation simulation(std::move(bird), make_rigid_plate(0.5, 0.5, 5e-3, 50, 50), settings, transducers());

@@ -78,6 +78,14 @@ TEST_CASE("the lists hold every pair within reach", "[neighbours]")
     p.y[0] = 500, p.z[1] = -300, p.x[2] = 1e4;
     check_against_all_pairs(p, {});
   }
+  SECTION("debris so far away that pencils are wide")
+  {
+    Particles p = samples::shaken_block(6, 1e-3, 3);
+    p.y[0] = 500; // pencils of 250 spacings
+    p.y[1] = p.y[2] + 64e-3, p.x[1] = p.x[2],
+    p.z[1] = p.z[2]; // not a neighbour of 2, though 64 spacings count as none
+    check_against_all_pairs(p, {});
+  }
   SECTION("a box that repeats") { check_against_all_pairs(samples::block(12, 6, 6, 1e-3), {6e-3, 6e-3}); }
 }
 
