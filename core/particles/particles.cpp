@@ -83,9 +83,4 @@ double kinetic_energy(const Particles& p)
   });
 }
 
-double internal_energy(const Particles& p)
-{
-  return ordered_sum(p.size(), [&p](std::size_t i) { return p.mass[i] * p.energy[i]; });
-}
-
 } // namespace birdstrike

@@ -81,6 +81,5 @@ Particles make_particles(std::vector<Part> parts, const std::vector<Seed>& seeds
 double total_mass(const Particles& particles);      //!< [kg]
 Vector3 total_momentum(const Particles& particles); //!< [kg m/s]
 double kinetic_energy(const Particles& particles);  //!< [J]
-double internal_energy(const Particles& particles); //!< [J]
 
 } // namespace birdstrike

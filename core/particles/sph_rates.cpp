@@ -250,24 +250,20 @@ void SphRates::evaluate(Particles& p, const std::vector<double>& vx, const std::
   // Where h follows the density, that of a free surface goes on changing in flight.
   const bool held = settings_.smoothing_shrink == 1 && settings_.smoothing_growth == 1;
   const bool skips = settings_.skip_undisturbed && held && !first_time;
-  long worked = 0;
-#pragma omp parallel for schedule(dynamic, 1) reduction(+ : worked)
-  for (std::size_t begin = 0; begin < count; begin += quads_at_once) {
-    QuadSums sums[quads_at_once];
-    const std::size_t end = std::min(count, begin + quads_at_once);
-    for (std::size_t q = begin; q < end; ++q) {
-      if (skips && can_skip(q, neighbours)) {
-        leave_alone(p, quads[q], rates);
-        continue;
-      }
-      ++worked;
-      kernels_.rates(quads.data(), static_cast<int>(q), static_cast<int>(q) + 1, neighbours.partners().data(),
-                     in, pair_settings_, sums + (q - begin));
-      finish(p, quads[q], states_[q], sums[q - begin], rates);
+  long skipped = 0;
+#pragma omp parallel for schedule(dynamic, quads_at_once) reduction(+ : skipped)
+  for (std::size_t q = 0; q < count; ++q) {
+    if (skips && can_skip(q, neighbours)) {
+      leave_alone(p, quads[q], rates);
+      ++skipped;
+      continue;
     }
+    QuadSums sums;
+    kernels_.rates(quads.data(), static_cast<int>(q), static_cast<int>(q) + 1, neighbours.partners().data(),
+                   in, pair_settings_, &sums);
+    finish(p, quads[q], states_[q], sums, rates);
   }
-  worked_ = worked;
-  skipped_ = static_cast<long>(count) - worked;
+  skipped_ = skipped;
 }
 
 //! The rates of what nothing has reached.

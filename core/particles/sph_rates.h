@@ -74,6 +74,7 @@ public:
   //! \param particles  positions and smoothing lengths at the time of the rates; pressure, sound speed are set
   //! \param vx,vy,vz   velocity at the same time, N entries each [m/s]
   //! \param density    at the same time [kg/m3]; that of \p particles is the one at the end of the step before
+  //! \param rates      of the evaluation before, in the order of \p particles, and no other: what was left alone keeps its density
   //! \param walls      mirrors of the particles, N rows; null where there are none
   //! \param energy     specific internal energy at the same time, but for the half of the pressure's work over this step
   //!                   that its new value does, e' of 5.52; matters to laws with energy only [J/kg]
@@ -82,8 +83,7 @@ public:
                 const std::vector<double>& energy, const Neighbours& neighbours, Rates& rates,
                 const MirrorPlanes* walls = nullptr);
 
-  //! Quads whose sums the last evaluation made, and those it left alone because nothing has reached them yet.
-  long worked() const { return worked_; }
+  //! Quads that the last evaluation left alone because nothing has reached them yet.
   long skipped() const { return skipped_; }
 
 private:
@@ -108,7 +108,7 @@ private:
   std::vector<double> shock_stress_;           // q / x^2 of 5.58, rows; empty for other viscosities [Pa]
   std::vector<std::uint8_t> undisturbed_;      // of each quad: flies as it did at the start, without pressure
   std::optional<Eigen::Vector3f> flight_;      // velocity at the start [m/s]
-  long worked_ = 0, skipped_ = 0;
+  long skipped_ = 0;
 
   struct Trial // what the rates are found for; rows of the particles
   {
