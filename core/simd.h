@@ -24,6 +24,8 @@ constexpr int lanes = 4;
 typedef float Floats __attribute__((vector_size(lanes * sizeof(float))));
 typedef std::int32_t Ints __attribute__((vector_size(lanes * sizeof(std::int32_t))));
 
+typedef float Four __attribute__((vector_size(4 * sizeof(float))));
+
 #define BIRDSTRIKE_INLINE [[gnu::always_inline, maybe_unused]] inline
 
 //! a - b modulo 2^32.
@@ -151,7 +153,7 @@ BIRDSTRIKE_INLINE Floats inverse_root(Floats a)
 }
 BIRDSTRIKE_INLINE Floats to_floats(Ints a) { return __builtin_convertvector(a, Floats); }
 
-//! Lanes 4k ... 4k + 3 added up, or their largest, for each k into to[k]; to[0 ... lanes / 4 - 1].
+//! to[k] and the numbers of lanes 4k ... 4k + 3 combined, for 0 <= k < lanes / 4.
 template <class Combine>
 BIRDSTRIKE_INLINE void fold(Floats a, float* to, const Combine& combine)
 {
@@ -170,13 +172,65 @@ BIRDSTRIKE_INLINE void fold(Floats a, float* to, const Combine& combine)
   a = combine(a, __builtin_shuffle(a, one));
   a = combine(a, __builtin_shuffle(a, two));
 #endif
+  float first[lanes / 4];
 #if defined(__AVX512F__)
   const __m512i firsts = _mm512_set_epi32(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 12, 8, 4, 0);
-  _mm_storeu_ps(to, _mm512_castps512_ps128(_mm512_permutexvar_ps(firsts, a)));
+  _mm_storeu_ps(first, _mm512_castps512_ps128(_mm512_permutexvar_ps(firsts, a)));
 #else
   for (int k = 0; k < lanes / 4; ++k)
-    to[k] = a[4 * k];
+    first[k] = a[4 * k];
 #endif
+  for (int k = 0; k < lanes / 4; ++k)
+    to[k] = combine(to[k], first[k]);
+}
+
+//! to[4 c + l] += sum over k of of[c][4 k + l]: what the groups of four lanes have for the same partners.
+BIRDSTRIKE_INLINE void add_groups(const Floats (&of)[4], float* to)
+{
+#if defined(__AVX512F__)
+  // [p0, p1, p2, p3], [q0, ...] to [p0 + p2, p1 + p3, q0 + q2, q1 + q3]
+  const auto halve = [](__m512 p, __m512 q) {
+    return _mm512_add_ps(_mm512_mask_blend_ps(0xff00, p, q),
+                         _mm512_shuffle_f32x4(p, q, _MM_SHUFFLE(1, 0, 3, 2)));
+  };
+  const __m512 a = halve(of[0], of[1]), b = halve(of[2], of[3]);
+  const __m512 sum = _mm512_add_ps(_mm512_shuffle_f32x4(a, b, _MM_SHUFFLE(2, 0, 2, 0)),
+                                   _mm512_shuffle_f32x4(a, b, _MM_SHUFFLE(3, 1, 3, 1)));
+  _mm512_storeu_ps(to, _mm512_add_ps(_mm512_loadu_ps(to), sum));
+#elif defined(__AVX__)
+  for (int c = 0; c < 4; c += 2) {
+    const __m256 sum = _mm256_add_ps(_mm256_blend_ps(of[c], of[c + 1], 0xf0),
+                                     _mm256_permute2f128_ps(of[c], of[c + 1], 0x21));
+    _mm256_storeu_ps(to + 4 * c, _mm256_add_ps(_mm256_loadu_ps(to + 4 * c), sum));
+  }
+#else
+  for (int c = 0; c < 4; ++c) {
+    Floats sum;
+    std::memcpy(&sum, to + 4 * c, sizeof sum);
+    sum += of[c];
+    std::memcpy(to + 4 * c, &sum, sizeof sum);
+  }
+#endif
+}
+
+//! to[l] and the numbers of lanes l, l + 4, ... combined.
+template <class Combine>
+BIRDSTRIKE_INLINE void combine_groups(Floats a, float* to, const Combine& combine)
+{
+  Four sum, first;
+#if defined(__AVX512F__)
+  a = combine(a, reinterpret_cast<Floats>(_mm512_shuffle_f32x4(a, a, _MM_SHUFFLE(1, 0, 3, 2))));
+  a = combine(a, reinterpret_cast<Floats>(_mm512_shuffle_f32x4(a, a, _MM_SHUFFLE(2, 3, 0, 1))));
+  first = reinterpret_cast<Four>(_mm512_castps512_ps128(a));
+#elif defined(__AVX__)
+  a = combine(a, reinterpret_cast<Floats>(_mm256_permute2f128_ps(a, a, 0x01)));
+  first = reinterpret_cast<Four>(_mm256_castps256_ps128(a));
+#else
+  std::memcpy(&first, &a, sizeof first);
+#endif
+  std::memcpy(&sum, to, sizeof sum);
+  sum = combine(sum, first);
+  std::memcpy(to, &sum, sizeof sum);
 }
 
 //! Numbers too small for the usual format count as zero while this lives: a front that runs into matter at rest else

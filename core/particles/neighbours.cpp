@@ -165,7 +165,7 @@ void Neighbours::cut_quads(const Particles& p)
             std::max(boxes_.back().high[axis], place[axis]) - std::min(boxes_.back().low[axis], place[axis]) <
             most;
       if (!fits) {
-        quads_.push_back({row, 0, false, 0, 0});
+        quads_.push_back({row, 0, 0, 0, 0});
         boxes_.push_back({{place[0], place[1], place[2]}, {place[0], place[1], place[2]}});
       }
       open = true;
@@ -255,30 +255,37 @@ void Neighbours::search(std::size_t quad, double longest_reach, Found& found)
   const auto gap = [&](const Box& other, int axis) {
     return std::max(other.low[axis] - box.high[axis], box.low[axis] - other.high[axis]);
   };
-  QuadRun runs[most_runs];
-  int run_count = 0, candidates = 0;
+  const auto self = static_cast<std::int32_t>(quad);
+  QuadRun runs[most_runs] = {{self, self + 1}};
+  int run_count = 1, candidates = 1;
   Quad& list = quads_[quad];
   list.first = static_cast<std::int64_t>(found.partners.size());
-  const auto search_runs = [&] {
+  const auto search_runs = [&](int sides) {
     const std::size_t size = found.partners.size();
     found.partners.resize(size + static_cast<std::size_t>(candidates) + 1); // one is written ahead
+    std::int64_t neighbours = 0;
     const int count = kernels.search(place, places_.data(), runs, run_count, unit,
-                                     found.partners.data() + size, &found.neighbours);
+                                     found.partners.data() + size, &neighbours);
     found.partners.resize(size + static_cast<std::size_t>(count));
+    found.neighbours += sides * neighbours;
     run_count = candidates = 0;
   };
+  search_runs(1); // the quad itself, whose pairs the kernel sees from both sides
   for (int kz = around_z.first; kz <= around_z.second; ++kz) {
     const double dz = apart(2, kz, origin_z_, width_z_, pencils_z_, period_.z);
     for (int ky = around_y.first; ky <= around_y.second; ++ky) {
+      const std::size_t pencil =
+          static_cast<std::size_t>(wrap(kz, pencils_z_)) * static_cast<std::size_t>(pencils_y_) +
+          static_cast<std::size_t>(wrap(ky, pencils_y_));
+      if (quad_begin_[pencil + 1] <= self + 1)
+        continue; // listed from the other side
       const double dy = apart(1, ky, origin_y_, width_y_, pencils_y_, period_.y);
       const double left2 = reach * reach - dy * dy - dz * dz;
       if (left2 <= 0)
         continue;
       const double along = std::sqrt(left2);
-      const std::size_t pencil =
-          static_cast<std::size_t>(wrap(kz, pencils_z_)) * static_cast<std::size_t>(pencils_y_) +
-          static_cast<std::size_t>(wrap(ky, pencils_y_));
-      const auto begin = boxes_.begin() + quad_begin_[pencil], end = boxes_.begin() + quad_begin_[pencil + 1];
+      const auto begin = boxes_.begin() + std::max(quad_begin_[pencil], self + 1),
+                 end = boxes_.begin() + quad_begin_[pencil + 1];
       const auto from =
           std::partition_point(begin, end, [&](const Box& b) { return b.high[0] < box.low[0] - along; });
       auto to = from;
@@ -288,7 +295,7 @@ void Neighbours::search(std::size_t quad, double longest_reach, Found& found)
         continue;
       const auto add_run = [&](auto first, auto last) {
         if (run_count == most_runs)
-          search_runs();
+          search_runs(2);
         runs[run_count++] = {static_cast<std::int32_t>(first - boxes_.begin()),
                              static_cast<std::int32_t>(last - boxes_.begin())};
         candidates += static_cast<int>(last - first);
@@ -303,11 +310,55 @@ void Neighbours::search(std::size_t quad, double longest_reach, Found& found)
           add_run(other, other + 1);
     }
   }
-  search_runs();
+  search_runs(2);
   list.partners = static_cast<std::int32_t>(static_cast<std::int64_t>(found.partners.size()) - list.first);
-  list.mixed = false;
-  for (std::size_t n = static_cast<std::size_t>(list.first); n < found.partners.size(); ++n)
-    list.mixed |= rest_density_[static_cast<std::size_t>(found.partners[n])] != rest_density_[quad];
+  const auto first = found.partners.begin() + list.first;
+  const auto unlike = std::stable_partition(first, found.partners.end(), [&](std::int32_t partner) {
+    return rest_density_[static_cast<std::size_t>(partner)] == rest_density_[quad];
+  });
+  list.alike = static_cast<std::int32_t>(unlike - first);
+}
+
+//! Tiles of pencils, in slices along x: compact, so that they share quads with few others, and large enough that handing
+//! them out costs nothing.
+void Neighbours::part_into_tasks()
+{
+  constexpr std::size_t least_tasks = 64;   // of a layer
+  constexpr int tile_y = 4, tile_z = 2;     // pencils
+  const double slice = 32 * found_spacing_; // [m]
+  std::vector<QuadRun> pieces;
+  std::vector<PairSchedule::Plan> plans;
+  std::size_t layer = 0, layer_begin = 0; // task
+  std::vector<QuadRun> rest;              // of the pencils, not yet in a task
+  for (int kz = 0; kz < pencils_z_; kz += tile_z) {
+    if (plans.size() - layer_begin >= least_tasks)
+      ++layer, layer_begin = plans.size();
+    for (int ky = 0; ky < pencils_y_; ky += tile_y) {
+      rest.clear();
+      for (int z = kz; z < std::min(kz + tile_z, pencils_z_); ++z)
+        for (int y = ky; y < std::min(ky + tile_y, pencils_y_); ++y) {
+          const std::size_t pencil = static_cast<std::size_t>(z) * static_cast<std::size_t>(pencils_y_) +
+                                     static_cast<std::size_t>(y);
+          if (quad_begin_[pencil] < quad_begin_[pencil + 1])
+            rest.push_back({quad_begin_[pencil], quad_begin_[pencil + 1]});
+        }
+      while (!rest.empty()) {
+        double from = 1e300;
+        for (const QuadRun& r : rest)
+          from = std::min(from, boxes_[static_cast<std::size_t>(r.begin)].low[0]);
+        for (QuadRun& r : rest) {
+          const std::int32_t begin = r.begin;
+          while (r.begin < r.end && boxes_[static_cast<std::size_t>(r.begin)].low[0] < from + slice)
+            ++r.begin;
+          if (r.begin > begin)
+            pieces.push_back({begin, r.begin});
+        }
+        plans.push_back({pieces.size(), layer});
+        std::erase_if(rest, [](const QuadRun& r) { return r.begin == r.end; });
+      }
+    }
+  }
+  schedule_.build(std::move(pieces), plans, quads_, partners_);
 }
 
 void Neighbours::build(const Particles& p)
@@ -342,6 +393,7 @@ void Neighbours::build(const Particles& p)
     for (std::size_t q = b * block; q < std::min(quads_.size(), (b + 1) * block); ++q)
       quads_[q].first += static_cast<std::int64_t>(found_[b].offset);
   }
+  part_into_tasks();
   mean_neighbours_ =
       static_cast<double>(pairs) / static_cast<double>(p.size()) - 1; // less the particle itself
   ++rebuilds_;

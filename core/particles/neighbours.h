@@ -2,6 +2,7 @@
 // Who acts on whom: particles sorted along pencils of space, quads of up to four, one list of partners a quad.
 #pragma once
 
+#include "core/particles/pair_schedule.h"
 #include "core/particles/pair_units.h"
 #include "core/particles/particles.h"
 
@@ -11,7 +12,7 @@ namespace birdstrike {
 
 //! Particles are sorted into square pencils along x (two spacings wide, ordered by y, then z) and along x
 //! within a pencil, so that four consecutive ones are close to each other; where they are not (debris), a quad
-//! has fewer. The list holds every pair within h_i + h_j + skin_i + skin_j and is used again until motion could
+//! has fewer. The list holds every pair within h_i + h_j + skin_i + skin_j once and is used again until motion could
 //! have brought a pair in from outside: that is measured against the bird's mean motion, so free flight costs no
 //! rebuild.
 class Neighbours
@@ -33,6 +34,7 @@ public:
 
   const std::vector<Quad>& quads() const { return quads_; }
   const std::vector<std::int32_t>& partners() const { return partners_; }
+  const PairSchedule& schedule() const { return schedule_; }
   PairUnits units(double spacing) const { return pair_units(spacing, period_); }
   long rebuilds() const { return rebuilds_; }
   double mean_neighbours() const { return mean_neighbours_; } //!< closer than h_i + h_j at the last build
@@ -64,6 +66,7 @@ private:
   std::vector<float> rest_density_;      // of each quad; NaN where its rows differ
   std::vector<std::int32_t> partners_;
   std::vector<Found> found_;
+  PairSchedule schedule_;
   PairUnits found_unit_; // of places_
   double found_spacing_ = 0;
   long rebuilds_ = 0;
@@ -73,6 +76,7 @@ private:
   void cut_quads(const Particles& particles);
   double place_quads(const Particles& particles);
   void search(std::size_t quad, double longest_reach, Found& found);
+  void part_into_tasks();
 };
 
 //! Put all arrays of the particles in a new order: row k becomes what row order[k] was.

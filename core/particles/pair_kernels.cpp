@@ -15,7 +15,7 @@ constexpr int rows_at_once = lanes / quad_size; // of the quad whose sums are ma
 struct Side
 {
   Ints x, y, z;
-  Floats vx, vy, vz, support, stress, sound_speed, lightness, smooth;
+  Floats vx, vy, vz, support, weight, pressure, stress, sound_speed, lightness, smooth;
   Floats strain_rate[6];
   Floats rest_density;
 };
@@ -23,10 +23,13 @@ struct Side
 //! Rows row ... row + rows_at_once - 1 of a quad.
 BIRDSTRIKE_INLINE Side spread_side(const QuadState& q, int row)
 {
-  Side side{spread(q.x + row),           spread(q.y + row),      spread(q.z + row),
-            spread(q.vx + row),          spread(q.vy + row),     spread(q.vz + row),
-            spread(q.support + row),     spread(q.stress + row), spread(q.sound_speed + row),
-            spread(q.lightness + row),   spread(q.smooth + row), {},
+  Side side{spread(q.x + row),           spread(q.y + row),
+            spread(q.z + row),           spread(q.vx + row),
+            spread(q.vy + row),          spread(q.vz + row),
+            spread(q.support + row),     spread(q.weight + row),
+            spread(q.pressure + row),    spread(q.stress + row),
+            spread(q.sound_speed + row), spread(q.lightness + row),
+            spread(q.smooth + row),      {},
             spread(q.rest_density + row)};
   for (int c = 0; c < 6; ++c)
     side.strain_rate[c] = spread(q.strain_rate[c] + row);
@@ -35,8 +38,18 @@ BIRDSTRIKE_INLINE Side spread_side(const QuadState& q, int row)
 
 struct Sums
 {
-  Floats fx{}, fy{}, fz{}, gradient[9]{}, number{}, pressure{}, work{}, heating{}, mu{}, wall{}, wall_y{},
-      wall_z{};
+  Floats fx{}, fy{}, fz{}, number{}, gradient[9]{}, pressure{}, heating{}, extra_work{}, wall{}, wall_y{},
+      wall_z{}, mu{};
+
+  BIRDSTRIKE_INLINE void operator+=(const Sums& more)
+  {
+    fx += more.fx, fy += more.fy, fz += more.fz, number += more.number;
+    for (int c = 0; c < 9; ++c)
+      gradient[c] += more.gradient[c];
+    pressure += more.pressure, heating += more.heating, extra_work += more.extra_work;
+    wall += more.wall, wall_y += more.wall_y, wall_z += more.wall_z;
+    mu = max(mu, more.mu);
+  }
 };
 
 //! What partner j is: itself, its image in the plate x = 0, or its image in a plane of the lane's own.
@@ -52,13 +65,33 @@ struct Vector
   Floats x, y, z;
 };
 
+struct Sum
+{
+  template <class T>
+  BIRDSTRIKE_INLINE T operator()(T a, T b) const
+  {
+    return a + b;
+  }
+};
+struct Largest
+{
+  template <class T>
+  BIRDSTRIKE_INLINE T operator()(T a, T b) const
+  {
+    return a > b ? a : b;
+  }
+};
+
 //! Pairs of a partner of which at least one is nearer than the kernel reaches: what the geometry has to say.
 struct Near
 {
-  Vector d;         //!< x_i - x_j [spacings]
-  Floats inverse_r; //!< 1 / |d|
-  Floats k;         //!< a sixth of -V_j (1/r) dW/dr; exactly nothing where the support does not reach j
-  Floats push;      //!< k times all stresses [Pa]
+  Vector d;          //!< x_i - x_j [spacings]
+  Floats inverse_r;  //!< 1 / |d|
+  Floats number;     //!< V_i V_j W
+  Floats k;          //!< a sixth of -V_i V_j (1/r) dW/dr; exactly nothing where the support does not reach j
+  Floats push;       //!< k times all stresses [Pa]
+  Floats heating;    //!< \see QuadSums
+  Floats extra_work; //!< of j, \see QuadSums; set where rest densities differ
   std::int32_t partner;
 };
 constexpr int near_at_once = 12; // stays in the nearest cache
@@ -67,13 +100,13 @@ constexpr int near_at_once = 12; // stays in the nearest cache
 //! \param open  1 where the pair may act, 0 where something stands between
 //! \return whether any pair is near
 template <bool gated>
-BIRDSTRIKE_INLINE bool meet(Floats& number, Floats& pressure, Floats support, const QuadState& q,
-                            std::int32_t partner, const Vector& d, [[maybe_unused]] Floats open, Near& to)
+BIRDSTRIKE_INLINE bool meet(Sums& sum, const Side& i, const QuadState& q, std::int32_t partner,
+                            const Vector& d, [[maybe_unused]] Floats open, Near& to)
 {
   const Floats zero{};
   to.d.x = d.x, to.d.y = d.y, to.d.z = d.z;
-  const Floats inverse_reach = reciprocal(support + tile(q.support)); // 1 / (2 h_ij): where the kernel ends
-  const Floats r2 = d.z * d.z + (d.y * d.y + (d.x * d.x + 1e-12f));   // never zero
+  const Floats inverse_reach = reciprocal(i.support + tile(q.support)); // 1 / (2 h_ij): where the kernel ends
+  const Floats r2 = d.z * d.z + (d.y * d.y + (d.x * d.x + 1e-12f));     // never zero
   const Floats inverse_r = inverse_root(r2);
 
   // 4.13 in truncated powers of s = r / (2h): W = 8 (2 A^3 - B^3) / (pi (2h)^3), A = 1 - s, B = 1 - 2s,
@@ -81,16 +114,16 @@ BIRDSTRIKE_INLINE bool meet(Floats& number, Floats& pressure, Floats support, co
   const Floats s = r2 * inverse_r * inverse_reach;
   const Floats a = max(1.0f - s, zero), b = max(1.0f - 2.0f * s, zero);
   const Floats a2 = a * a, b2 = b * b, inverse_reach2 = inverse_reach * inverse_reach;
-  Floats weight = tile(q.weight) * (inverse_reach2 * inverse_reach);
+  Floats weight = i.weight * tile(q.weight) * (inverse_reach2 * inverse_reach);
   if constexpr (gated)
     weight *= open;
-  const Floats counted = weight * (2.0f * a * a2 - b * b2);
-  number += counted;
-  pressure += counted * tile(q.pressure);
+  to.number = weight * (2.0f * a * a2 - b * b2);
+  sum.number += to.number;
+  sum.pressure += to.number * tile(q.pressure);
   to.inverse_r = inverse_r;
   to.k = weight * inverse_reach * (a2 - b2) * inverse_r;
   to.partner = partner;
-  return any_positive(to.k);
+  return any_positive(to.k + to.number);
 }
 
 //! d.G d, from the symmetric part of G.
@@ -125,10 +158,11 @@ BIRDSTRIKE_INLINE Floats explained(const Side& i, const QuadState& q, const Vect
 
 //! The stresses between the lanes i and the four of quad q: near.push, and what comes of them alone. Factors that all terms
 //! share are left to store().
-//! \param v  v_j - v_i; an image's own values stand at j
+//! \param other  sums of the partners; null where they get none
+//! \param v      v_j - v_i; an image's own values stand at j
 template <Seen seen, bool limited, bool mixed>
-BIRDSTRIKE_INLINE void find_stress(Sums& sum, const Side& i, const QuadState& q, Near& near, const Vector& v,
-                                   float beta, const Vector& turned = Vector())
+BIRDSTRIKE_INLINE void find_stress(Sums& sum, QuadSums* other, const Side& i, const QuadState& q, Near& near,
+                                   const Vector& v, float beta, const Vector& turned = Vector())
 {
   const Floats zero{}, k = near.k;
   const Vector& d = near.d;
@@ -152,38 +186,49 @@ BIRDSTRIKE_INLINE void find_stress(Sums& sum, const Side& i, const QuadState& q,
     const Floats rest_j = tile(q.rest_density), inverse = 2.0f * reciprocal(i.rest_density + rest_j);
     const Floats share_i = rest_j * inverse, share_j = i.rest_density * inverse;
     near.push = k * (share_i * i.stress + share_j * tile(q.stress) + viscosity);
-    sum.work += share_i * k * parting;
+    const Floats work = k * parting;
+    sum.extra_work += share_i * work - work;
+    near.extra_work = share_j * work - work;
   } else {
     near.push = k * (i.stress + tile(q.stress) + viscosity);
   }
-  sum.heating += k * viscosity * approach;
-  sum.mu = max(sum.mu, k > 0.0f ? speed : zero);
+  near.heating = k * viscosity * approach;
+  sum.heating += near.heating;
+  const Floats mu = k > 0.0f ? speed : zero;
+  sum.mu = max(sum.mu, mu);
+  if (other)
+    combine_groups(mu, other->mu, Largest());
 }
 
-//! Force and velocity gradient.
-template <Seen seen>
-BIRDSTRIKE_INLINE void add_pairs(Sums& sum, const Near& near, const Vector& v)
+//! Force and velocity gradient of the lanes i, and all sums of their partners. As seen from j, d and v are opposite; in the
+//! plate, along y and z only.
+template <Seen seen, bool mixed>
+BIRDSTRIKE_INLINE void add_pairs(Sums& sum, QuadSums* other, const Side& i, const Near& near, const Vector& v)
 {
   const Vector& d = near.d;
-  sum.fx += near.push * d.x;
-  sum.fy += near.push * d.y;
-  sum.fz += near.push * d.z;
+  const Floats fx = near.push * d.x, fy = near.push * d.y, fz = near.push * d.z;
+  sum.fx += fx, sum.fy += fy, sum.fz += fz;
   if constexpr (seen != Seen::direct)
-    sum.wall += near.push * d.x;
-  if constexpr (seen == Seen::in_wall) {
-    sum.wall_y += near.push * d.y;
-    sum.wall_z += near.push * d.z;
-  }
+    sum.wall += fx;
+  if constexpr (seen == Seen::in_wall)
+    sum.wall_y += fy, sum.wall_z += fz;
   const Floats gx = near.k * d.x, gy = near.k * d.y, gz = near.k * d.z;
-  sum.gradient[0] += v.x * gx;
-  sum.gradient[1] += v.x * gy;
-  sum.gradient[2] += v.x * gz;
-  sum.gradient[3] += v.y * gx;
-  sum.gradient[4] += v.y * gy;
-  sum.gradient[5] += v.y * gz;
-  sum.gradient[6] += v.z * gx;
-  sum.gradient[7] += v.z * gy;
-  sum.gradient[8] += v.z * gz;
+  const Floats g[9] = {v.x * gx, v.x * gy, v.x * gz, v.y * gx, v.y * gy,
+                       v.y * gz, v.z * gx, v.z * gy, v.z * gz};
+  for (int c = 0; c < 9; ++c)
+    sum.gradient[c] += g[c];
+  if constexpr (seen != Seen::in_wall)
+    if (other) {
+      constexpr bool image = seen == Seen::in_plate;
+      const auto turned = [](Floats a) { return image ? -a : a; };
+      add_groups({image ? fx : -fx, -fy, -fz, near.number}, other->fx);
+      add_groups({g[0], turned(g[1]), turned(g[2]), turned(g[3])}, other->gradient[0]);
+      add_groups({g[4], g[5], turned(g[6]), g[7]}, other->gradient[4]);
+      add_groups({g[8], near.number * i.pressure, near.heating, mixed ? near.extra_work : Floats{}},
+                 other->gradient[8]);
+      if constexpr (image)
+        combine_groups(fx, other->wall, Sum());
+    }
 }
 
 struct Unit
@@ -236,12 +281,17 @@ BIRDSTRIKE_INLINE Floats open_past_walls(const Walls& i, const QuadWalls& w, con
 //! Which quads a quad meets, and what it takes to do so.
 struct Meeting
 {
+  std::int32_t self;
   const std::int32_t* partners;
   int count;
+  QuadSums* sums; //!< of all quads
   const PairInput& in;
   const PairSettings& settings;
   Unit unit;
   float beta;
+
+  //! Where the partner's share goes; null for the quad itself, all of whose pairs are seen from both sides anyway.
+  QuadSums* other(std::int32_t partner) const { return partner == self ? nullptr : sums + partner; }
 };
 
 //! \p geometry of all partners, then \p stress and \p add of those that are near. Each loop keeps its numbers in registers
@@ -264,10 +314,10 @@ BIRDSTRIKE_INLINE void for_near(const Meeting& meeting, const Geometry& geometry
 }
 
 template <bool limited, bool mixed, bool walls>
-void add_direct(Sums& sum, const Side& i, [[maybe_unused]] const Walls& wall, const Meeting& meeting)
+void add_direct(Sums& total, const Side& i, [[maybe_unused]] const Walls& wall, const Meeting& meeting)
 {
   const PairInput& in = meeting.in;
-  Floats number{}, pressure{};
+  Sums sum; // in registers
   for_near(
       meeting,
       [&](std::int32_t partner, Near& near) {
@@ -276,31 +326,33 @@ void add_direct(Sums& sum, const Side& i, [[maybe_unused]] const Walls& wall, co
         Floats open{};
         if constexpr (walls)
           open = open_past_walls(wall, in.walls[partner], d);
-        return meet<walls>(number, pressure, i.support, q, partner, d, open, near);
+        return meet<walls>(sum, i, q, partner, d, open, near);
       },
       [&](Near& near) {
         const QuadState& q = in.quads[near.partner];
-        find_stress<Seen::direct, limited, mixed>(sum, i, q, near, relative_velocity(i, q), meeting.beta);
+        find_stress<Seen::direct, limited, mixed>(sum, meeting.other(near.partner), i, q, near,
+                                                  relative_velocity(i, q), meeting.beta);
       },
       [&](const Near& near) {
-        add_pairs<Seen::direct>(sum, near, relative_velocity(i, in.quads[near.partner]));
+        add_pairs<Seen::direct, mixed>(sum, meeting.other(near.partner), i, near,
+                                       relative_velocity(i, in.quads[near.partner]));
       });
-  sum.number += number;
-  sum.pressure += pressure;
+  total += sum;
 }
 
-//! The images of the partners behind the plate. An image is never nearer than its original, so the quad's
-//! own list holds all that can matter. A pair acts where the line from lane to image passes through the
-//! plate, which is the same point for i and the image of j as for j and the image of i: action stays equal to
-//! reaction at the rim.
+//! The images of the partners behind the plate, and those of the quad's own rows as the partners see them: both are as far
+//! apart. An image is never nearer than its original, so the quad's own list holds all that can matter. A pair acts where
+//! the line from lane to image passes through the plate, which is the same point for i and the image of j as for j and the
+//! image of i: action stays equal to reaction at the rim.
 template <bool limited, bool mixed>
-void add_images(Sums& sum, const Side& i, Floats absolute_y, Floats absolute_z, const Meeting& meeting)
+void add_images(Sums& total, const Side& i, Floats absolute_y, Floats absolute_z, const Meeting& meeting)
 {
   const PairInput& in = meeting.in;
   const MirrorPlate& plate = meeting.settings.plate;
   const Floats zero{}, one = zero + 1.0f;
   const Floats own_x = to_floats(i.x) * meeting.unit.x;
-  // Both sides of a pair find the crossing for themselves, right to single precision: one that is on the rim counts for both.
+  // Both sides of a pair within the quad find the crossing for themselves, right to single precision: one that is on the
+  // rim counts for both.
   constexpr float rim = 1 + 4e-7f;
   const float half_y = rim * static_cast<float>(plate.half_y),
               half_z = rim * static_cast<float>(plate.half_z);
@@ -308,10 +360,12 @@ void add_images(Sums& sum, const Side& i, Floats absolute_y, Floats absolute_z, 
     const Vector v = relative_velocity(i, q);
     return Vector{-i.vx - tile(q.vx), v.y, v.z};
   };
-  Floats number{}, pressure{};
+  Sums sum; // in registers
   for_near(
       meeting,
       [&](std::int32_t partner, Near& near) {
+        if (!in.ahead[partner])
+          return false;
         const QuadState& q = in.quads[partner];
         Vector d = difference(i, q, meeting.unit);
         const Floats x_j = to_floats(tile(q.x)) * meeting.unit.x;
@@ -324,20 +378,24 @@ void add_images(Sums& sum, const Side& i, Floats absolute_y, Floats absolute_z, 
           open = max(cross_y, -cross_y) <= half_y ? open : zero;
           open = max(cross_z, -cross_z) <= half_z ? open : zero;
         }
-        return meet<true>(number, pressure, i.support, q, partner, d, open, near);
+        return meet<true>(sum, i, q, partner, d, open, near);
       },
       [&](Near& near) {
         const QuadState& q = in.quads[near.partner];
-        find_stress<Seen::in_plate, limited, mixed>(sum, i, q, near, velocity_of(q), meeting.beta);
+        find_stress<Seen::in_plate, limited, mixed>(sum, meeting.other(near.partner), i, q, near,
+                                                    velocity_of(q), meeting.beta);
       },
-      [&](const Near& near) { add_pairs<Seen::in_plate>(sum, near, velocity_of(in.quads[near.partner])); });
-  sum.number += number;
-  sum.pressure += pressure;
+      [&](const Near& near) {
+        add_pairs<Seen::in_plate, mixed>(sum, meeting.other(near.partner), i, near,
+                                         velocity_of(in.quads[near.partner]));
+      });
+  total += sum;
 }
 
-//! The images of the partners in the lanes' own walls. A pair acts where both stand before walls that face one way.
+//! The images of the partners in the lanes' own walls, for the lanes alone: walls differ. A pair acts where both stand
+//! before walls that face one way.
 template <bool limited, bool mixed>
-void add_wall_images(Sums& sum, const Side& i, const Walls& wall, const Meeting& meeting)
+void add_wall_images(Sums& total, const Side& i, const Walls& wall, const Meeting& meeting)
 {
   constexpr float same_way = 0.5f; // cosine between the normals: the other side of an edge has its own flow
   const PairInput& in = meeting.in;
@@ -347,7 +405,7 @@ void add_wall_images(Sums& sum, const Side& i, const Walls& wall, const Meeting&
     const Floats away = 2.0f * (tile(q.vx) * wall.x + tile(q.vy) * wall.y + tile(q.vz) * wall.z - wall.speed);
     return Vector{v.x - away * wall.x, v.y - away * wall.y, v.z - away * wall.z};
   };
-  Floats number{}, pressure{};
+  Sums sum; // in registers
   for_near(
       meeting,
       [&](std::int32_t partner, Near& near) {
@@ -365,84 +423,109 @@ void add_wall_images(Sums& sum, const Side& i, const Walls& wall, const Meeting&
         open = facing > same_way ? open : zero;
         const Floats lift = 2.0f * height;
         const Vector d{direct.x + lift * wall.x, direct.y + lift * wall.y, direct.z + lift * wall.z};
-        return meet<true>(number, pressure, i.support, q, partner, d, open, near);
+        return meet<true>(sum, i, q, partner, d, open, near);
       },
       [&](Near& near) {
         const QuadState& q = in.quads[near.partner];
         const Vector& d = near.d;
         const Floats across = 2.0f * (d.x * wall.x + d.y * wall.y + d.z * wall.z);
         find_stress<Seen::in_wall, limited, mixed>(
-            sum, i, q, near, velocity_of(q), meeting.beta,
+            sum, nullptr, i, q, near, velocity_of(q), meeting.beta,
             {d.x - across * wall.x, d.y - across * wall.y, d.z - across * wall.z});
       },
-      [&](const Near& near) { add_pairs<Seen::in_wall>(sum, near, velocity_of(in.quads[near.partner])); });
-  sum.number += number;
-  sum.pressure += pressure;
+      [&](const Near& near) {
+        add_pairs<Seen::in_wall, mixed>(sum, nullptr, i, near, velocity_of(in.quads[near.partner]));
+      });
+  total += sum;
 }
 
-//! Lanes of one row together, times what the terms left out.
-template <bool mixed>
-BIRDSTRIKE_INLINE void store(Sums& sum, QuadSums& to, int row)
+//! Lanes of one row together.
+BIRDSTRIKE_INLINE void store(const Sums& sum, QuadSums& to, int row)
 {
-  const auto add = [](Floats a, Floats b) { return a + b; };
-  const auto total = [&](Floats a, float factor, float* out) { fold(factor * a, out + row, add); };
-  if constexpr (!mixed) // all shares are 1
-    sum.work = sum.gradient[0] + sum.gradient[4] + sum.gradient[8];
-  total(sum.fx, 6, to.fx);
-  total(sum.fy, 6, to.fy);
-  total(sum.fz, 6, to.fz);
+  const auto add = [&](Floats a, float* out) { fold(a, out + row, Sum()); };
+  add(sum.fx, to.fx);
+  add(sum.fy, to.fy);
+  add(sum.fz, to.fz);
+  add(sum.number, to.number);
   for (int c = 0; c < 9; ++c)
-    total(sum.gradient[c], -6, to.gradient[c]);
-  total(sum.number, 1, to.number);
-  total(sum.pressure, 1, to.pressure);
-  total(sum.work, 6, to.work);
-  total(sum.heating, 3, to.heating);
-  fold(sum.mu, to.mu + row, [](Floats a, Floats b) { return max(a, b); });
-  total(sum.wall, 6, to.wall);
-  total(sum.wall_y, 6, to.wall_y);
-  total(sum.wall_z, 6, to.wall_z);
+    add(sum.gradient[c], to.gradient[c]);
+  add(sum.pressure, to.pressure);
+  add(sum.heating, to.heating);
+  add(sum.extra_work, to.extra_work);
+  add(sum.wall, to.wall);
+  add(sum.wall_y, to.wall_y);
+  add(sum.wall_z, to.wall_z);
+  fold(sum.mu, to.mu + row, Largest());
 }
 
+//! Partners that have the quad's rest density, or those that have not.
 template <bool limited, bool mixed>
-void rates_of(int quad, const Quad& list, const std::int32_t* all_partners, const PairInput& in,
-              const PairSettings& s, QuadSums& sums)
+BIRDSTRIKE_INLINE void meet_all(Sums& sum, const Side& i, int row, const Meeting& meeting)
 {
-  const Meeting meeting{
-      all_partners + list.first,
-      list.partners,
-      in,
-      s,
-      {static_cast<float>(s.unit.x), static_cast<float>(s.unit.y), static_cast<float>(s.unit.z)},
-      static_cast<float>(s.beta)};
-  const QuadState& own = in.quads[quad];
-  const bool before_wall = in.walls && any_open(in.walls[quad]);
-  for (int row = 0; row < list.count; row += rows_at_once) {
-    const Side i = spread_side(own, row);
-    Sums sum;
-    if (before_wall) {
-      const Walls wall = spread_walls(in.walls[quad], row);
-      add_direct<limited, mixed, true>(sum, i, wall, meeting);
-      add_wall_images<limited, mixed>(sum, i, wall, meeting);
-    } else {
-      add_direct<limited, mixed, false>(sum, i, Walls(), meeting);
+  const PairInput& in = meeting.in;
+  if (in.walls && any_open(in.walls[meeting.self])) {
+    const Walls wall = spread_walls(in.walls[meeting.self], row);
+    add_direct<limited, mixed, true>(sum, i, wall, meeting);
+    add_wall_images<limited, mixed>(sum, i, wall, meeting);
+  } else {
+    add_direct<limited, mixed, false>(sum, i, Walls(), meeting);
+  }
+  if (meeting.settings.plate.present && in.ahead[meeting.self])
+    add_images<limited, mixed>(sum, i, spread(in.absolute_y + meeting.self * quad_size + row),
+                               spread(in.absolute_z + meeting.self * quad_size + row), meeting);
+}
+
+//! The images of the quad's rows in its partners' walls.
+template <bool limited, bool mixed>
+void add_wall_images_of_partners(const Quad* quads, const Meeting& meeting)
+{
+  const PairInput& in = meeting.in;
+  for (int n = 0; n < meeting.count; ++n) {
+    const std::int32_t partner = meeting.partners[n];
+    if (partner == meeting.self || !any_open(in.walls[partner]))
+      continue;
+    Meeting back = meeting;
+    back.self = partner, back.partners = &meeting.self, back.count = 1;
+    for (int row = 0; row < quads[partner].count; row += rows_at_once) {
+      Sums sum;
+      add_wall_images<limited, mixed>(sum, spread_side(in.quads[partner], row),
+                                      spread_walls(in.walls[partner], row), back);
+      if (any_positive(sum.number))
+        store(sum, meeting.sums[partner], row);
     }
-    if (s.plate.present && in.ahead[quad])
-      add_images<limited, mixed>(sum, i, spread(in.absolute_y + quad * quad_size + row),
-                                 spread(in.absolute_z + quad * quad_size + row), meeting);
-    store<mixed>(sum, sums, row);
   }
 }
 
-void rates(const Quad* quads, int begin, int end, const std::int32_t* partners, const PairInput& in,
+template <bool limited>
+void rates_of(const Quad* quads, std::int32_t quad, const std::int32_t* all_partners, const PairInput& in,
+              const PairSettings& s, QuadSums* sums)
+{
+  const Quad& list = quads[quad];
+  const std::int32_t* const partners = all_partners + list.first;
+  const Unit unit{static_cast<float>(s.unit.x), static_cast<float>(s.unit.y), static_cast<float>(s.unit.z)};
+  const auto beta = static_cast<float>(s.beta);
+  const Meeting alike{quad, partners, list.alike, sums, in, s, unit, beta};
+  const Meeting unlike{quad, partners + list.alike, list.partners - list.alike, sums, in, s, unit, beta};
+  for (int row = 0; row < list.count; row += rows_at_once) {
+    const Side i = spread_side(in.quads[quad], row);
+    Sums sum;
+    meet_all<limited, false>(sum, i, row, alike);
+    if (unlike.count > 0)
+      meet_all<limited, true>(sum, i, row, unlike);
+    store(sum, sums[quad], row);
+  }
+  if (in.walls && any_open(in.walls[quad])) {
+    add_wall_images_of_partners<limited, false>(quads, alike);
+    add_wall_images_of_partners<limited, true>(quads, unlike);
+  }
+}
+
+void rates(const Quad* quads, std::int32_t quad, const std::int32_t* partners, const PairInput& in,
            const PairSettings& settings, QuadSums* sums)
 {
   const FlushToZero flush;
-  for (int q = begin; q < end; ++q) {
-    const bool mixed = quads[q].mixed;
-    const auto sum = settings.limited ? (mixed ? rates_of<true, true> : rates_of<true, false>)
-                                      : (mixed ? rates_of<false, true> : rates_of<false, false>);
-    sum(q, quads[q], partners, in, settings, sums[q - begin]);
-  }
+  const auto sum = settings.limited ? rates_of<true> : rates_of<false>;
+  sum(quads, quad, partners, in, settings, sums);
 }
 
 int search(const QuadPlace& quad, const QuadPlace* places, const QuadRun* runs, int run_count,

@@ -4,7 +4,7 @@
 //
 // Particles come in quads, up to four that are close to each other, and the list says which quad meets which. A pair of
 // quads is sixteen pairs of particles: one side is loaded four times over, the other has each number four times, and
-// nothing is gathered. Each particle's sum has one fixed order whatever the number of threads.
+// nothing is gathered. Each pair is computed once, for both sides; pair_schedule.h has the order in which they add.
 //
 // The state is in double precision, pairs are computed in single. So that a difference of positions loses nothing,
 // positions are whole numbers of a tiny unit, modulo 2^32: 2^-26 of a spacing, or 2^-32 of a box that repeats, in which
@@ -23,10 +23,10 @@ constexpr int quad_size = 4;
 struct Quad
 {
   std::int32_t begin;    //!< first row
-  std::int16_t count;    //!< 1 ... quad_size rows in use
-  bool mixed;            //!< does one of its partners have another rest density than one of its own rows?
-  std::int64_t first;    //!< of its partners, quads
-  std::int32_t partners; //!< how many; itself among them
+  std::int32_t count;    //!< 1 ... quad_size rows in use
+  std::int64_t first;    //!< of its partners: itself, then quads behind it that have it for a partner
+  std::int32_t partners; //!< how many
+  std::int32_t alike; //!< how many of them, the first ones, have the one rest density that its own rows have
 };
 
 //! Where a quad is and how far it reaches, for the search. Idle lanes have a reach of -1e30.
@@ -62,22 +62,26 @@ struct alignas(64) QuadWalls
   float open[quad_size];                          //!< 0 for none, up to 1 [-]
 };
 
-//! Sums over partners; lengths in spacings.
+//! Sums over partners, all but mu times the particle's own QuadState.weight and over the factors below, which a pair so need
+//! not be multiplied by; lengths in spacings. The first sixteen rows are added to four at a time.
 struct alignas(64) QuadSums
 {
   float fx[quad_size], fy[quad_size],
       fz[quad_size]; //!< rho0 dv/dt: - sum V_j (a_ij stress_i + a_ji stress_j + Q_ij) grad_i W_ij [Pa/spacing]
+  float number[quad_size]; //!< sum V_j W_ij, the compression [-]
   float gradient
       [9]
       [quad_size]; //!< row-major: sum V_j (v_j - v_i) (x) grad_i W_ij, x times the velocity gradient [m/s per spacing]
-  float number[quad_size];   //!< sum V_j W_ij, the compression [-]
   float pressure[quad_size]; //!< sum V_j p_j W_ij [Pa]
-  float work
-      [quad_size]; //!< sum V_j a_ij (v_i - v_j) . grad_i W_ij, a_ij = 2 rho0_j / (rho0_i + rho0_j) [m/s per spacing]
-  float heating[quad_size]; //!< rho0 times the viscous heating [Pa m/s per spacing]
-  float mu[quad_size];      //!< largest |mu_ij| or U_ij [m/s]
+  float heating[quad_size];  //!< rho0 times the viscous heating [Pa m/s per spacing]
+  float extra_work
+      [quad_size]; //!< sum V_j (a_ij - 1) (v_i - v_j) . grad_i W_ij, a_ij = 2 rho0_j / (rho0_i + rho0_j)
+                   //!< [m/s per spacing]
   float wall[quad_size], wall_y[quad_size],
       wall_z[quad_size]; //!< shares of fx, fy, fz that came from mirror images; the last two of walls only
+  float mu[quad_size];   //!< largest |mu_ij| or U_ij [m/s]
+
+  static constexpr double force_factor = 6, gradient_factor = -6, heating_factor = 3, work_factor = 6;
 };
 
 //! Unit of the whole-number positions along each axis; spacings.
@@ -121,8 +125,8 @@ struct PairKernels
 {
   const char* name; //!< instruction set
 
-  //! Sums of quads [begin, end), into sums[0 ...].
-  void (*rates)(const Quad* quads, int begin, int end, const std::int32_t* partners, const PairInput& in,
+  //! All that a quad and its partners have to do with each other, added to the sums of both; \p sums has all quads.
+  void (*rates)(const Quad* quads, std::int32_t quad, const std::int32_t* partners, const PairInput& in,
                 const PairSettings& settings, QuadSums* sums);
 
   //! Of the candidates in \p runs: those with a pair within reach_i + reach_j are written to \p found, in their order.

@@ -6,13 +6,12 @@
 #include "core/particles/artificial_viscosity.h"
 #include "core/particles/kernel.h"
 
+#include <atomic>
 #include <numbers>
 
 namespace birdstrike {
 
 namespace {
-
-constexpr int quads_at_once = 32; // for one thread: enough to hide the cost of handing out work
 
 // Sums in single precision tell a density to a few parts in 1e7. What is nearer to that of the undisturbed lattice counts
 // as undisturbed, and all else is shifted by as much, so that matter at rest feels exactly nothing.
@@ -87,6 +86,7 @@ void SphRates::prepare(Particles& p, const Trial& trial, const Quad& list, std::
   const WholePlace whole_x(unit.x, p.spacing), whole_y(unit.y, p.spacing), whole_z(unit.z, p.spacing);
   const auto single = [](double value) { return static_cast<float>(value); };
   QuadState& state = states_[quad];
+  sums_[quad] = {};
   bool undisturbed = true, ahead = false;
   for (std::size_t l = 0; l < quad_size; ++l) {
     const bool used = l < static_cast<std::size_t>(list.count);
@@ -160,18 +160,28 @@ void SphRates::prepare_walls(const Particles& p, const MirrorPlanes& walls, cons
   }
 }
 
-//! Has nothing reached a quad and its partners yet? No pressure and velocities that are equal in the precision of the pairs
-//! make rates of exactly zero, and a density that stays what it was to that precision.
-bool SphRates::can_skip(std::size_t quad, const Neighbours& neighbours) const
+//! Has anything reached a quad or one that it meets? Where not, no pressure and velocities that are equal in the precision
+//! of the pairs make rates of exactly zero, and a density that stays what it was to that precision.
+void SphRates::find_active(const Neighbours& neighbours)
 {
-  if (!undisturbed_[quad] || (pair_settings_.plate.present && ahead_[quad]))
-    return false;
-  const Quad& list = neighbours.quads()[quad];
-  const std::int32_t* partners = neighbours.partners().data() + list.first;
-  for (std::int32_t n = 0; n < list.partners; ++n)
-    if (!undisturbed_[static_cast<std::size_t>(partners[n])])
-      return false;
-  return true;
+  const std::vector<Quad>& quads = neighbours.quads();
+  for_each_row(quads.size(), [&](std::size_t q) {
+    active_[q] = !undisturbed_[q] || (pair_settings_.plate.present && ahead_[q]);
+  });
+  // Lists have each pair once, so both are marked; by several threads at a time, but all write the same.
+  const auto mark = [&](std::size_t q) {
+    std::atomic_ref<std::uint8_t>(active_[q]).store(1, std::memory_order_relaxed);
+  };
+  for_each_row(quads.size(), [&](std::size_t q) {
+    const std::int32_t* const partners = neighbours.partners().data() + quads[q].first;
+    for (std::int32_t n = 0; n < quads[q].partners; ++n) {
+      const auto partner = static_cast<std::size_t>(partners[n]);
+      if (undisturbed_[q] == undisturbed_[partner])
+        continue;
+      mark(q);
+      mark(partner);
+    }
+  });
 }
 
 void SphRates::finish(Particles& p, const Quad& list, const QuadState& state, const QuadSums& sums,
@@ -184,25 +194,28 @@ void SphRates::finish(Particles& p, const Quad& list, const QuadState& state, co
     // The mass may differ from volume times density (dissertation 8.3.3): that is inertia and nothing else.
     const PartConstants& part = parts_[p.part[i]];
     const double cell = part.cell, per_density = cell / p.mass[i], rest_density = part.rest_density;
-    const double x = rest_density * static_cast<double>(state.lightness[l]), per_x = per_spacing / x;
+    const double x = rest_density * static_cast<double>(state.lightness[l]);
+    const double per_weight = 1.0 / state.weight[l], per_length = per_spacing * per_weight;
+    const double per_time = QuadSums::gradient_factor * per_length / x;
     std::array<double, 9> g; // grad v
     for (std::size_t c = 0; c < 9; ++c)
-      g[c] = sums.gradient[c][l] * per_x;
+      g[c] = sums.gradient[c][l] * per_time;
     const double compression_rate = -x * (g[0] + g[4] + g[8]); // D
-    const double work = sums.work[l] * per_spacing;
+    const double work = compression_rate + QuadSums::work_factor * sums.extra_work[l] * per_length;
     const double shock = shock_stress_.empty() ? 0 : shock_stress_[i];
     p.mean_pressure[i] = sums.pressure[l] / sums.number[l];
-    const double force = per_spacing * per_density;
+    const double pull = QuadSums::force_factor * per_length, force = pull * per_density,
+                 wall_force = pull * cell;
     r.ax[i] = sums.fx[l] * force;
     r.ay[i] = sums.fy[l] * force;
     r.az[i] = sums.fz[l] * force;
-    r.wall_force[i] = sums.wall[l] * per_spacing * cell;
+    r.wall_force[i] = sums.wall[l] * wall_force;
     if (!walls_.empty())
-      r.image_force[i] = per_spacing * cell * Vector3(sums.wall[l], sums.wall_y[l], sums.wall_z[l]);
+      r.image_force[i] = wall_force * Vector3(sums.wall[l], sums.wall_y[l], sums.wall_z[l]);
     r.divergence[i] = g[0] + g[4] + g[8];
     r.density[i] = rest_density * compression_rate;
-    r.summed_density[i] = rest_density * compression(sums.number[l]);
-    r.viscous[i] = (sums.heating[l] * per_spacing + shock * work) * per_density;
+    r.summed_density[i] = rest_density * compression(sums.number[l] * per_weight);
+    r.viscous[i] = (QuadSums::heating_factor * sums.heating[l] * per_length + shock * work) * per_density;
     r.energy[i] = r.viscous[i] + (state.stress[l] - shock) * work * per_density;
     r.approach[i] = kind == ViscosityKind::bulk ? std::cbrt(cell / x) * std::abs(r.divergence[i])
                                                 : static_cast<double>(sums.mu[l]);
@@ -227,6 +240,8 @@ void SphRates::evaluate(Particles& p, const std::vector<double>& vx, const std::
   const std::vector<Quad>& quads = neighbours.quads();
   const std::size_t count = quads.size();
   states_.resize(count);
+  sums_.resize(count);
+  active_.resize(count);
   undisturbed_.resize(count);
   ahead_.resize(count);
   walls_.resize(walls ? count : 0);
@@ -250,20 +265,27 @@ void SphRates::evaluate(Particles& p, const std::vector<double>& vx, const std::
   // Where h follows the density, that of a free surface goes on changing in flight.
   const bool held = settings_.smoothing_shrink == 1 && settings_.smoothing_growth == 1;
   const bool skips = settings_.skip_undisturbed && held && !first_time;
-  long skipped = 0;
-#pragma omp parallel for schedule(dynamic, quads_at_once) reduction(+ : skipped)
-  for (std::size_t q = 0; q < count; ++q) {
-    if (skips && can_skip(q, neighbours)) {
+  if (skips)
+    find_active(neighbours);
+  const auto is_active = [&](std::size_t q) { return !skips || active_[q]; };
+  neighbours.schedule().run([&](std::size_t q) {
+    const std::int32_t* const partners = neighbours.partners().data();
+    const auto meets_active = [&] {
+      for (std::int32_t n = 0; n < quads[q].partners; ++n)
+        if (active_[static_cast<std::size_t>(partners[quads[q].first + n])])
+          return true;
+      return false;
+    };
+    if (is_active(q) || meets_active())
+      kernels_.rates(quads.data(), static_cast<std::int32_t>(q), partners, in, pair_settings_, sums_.data());
+  });
+  skipped_ = skips ? std::count(active_.begin(), active_.end(), 0) : 0;
+  for_each_row(count, [&](std::size_t q) {
+    if (is_active(q))
+      finish(p, quads[q], states_[q], sums_[q], rates);
+    else
       leave_alone(p, quads[q], rates);
-      ++skipped;
-      continue;
-    }
-    QuadSums sums;
-    kernels_.rates(quads.data(), static_cast<int>(q), static_cast<int>(q) + 1, neighbours.partners().data(),
-                   in, pair_settings_, &sums);
-    finish(p, quads[q], states_[q], sums, rates);
-  }
-  skipped_ = skipped;
+  });
 }
 
 //! The rates of what nothing has reached.

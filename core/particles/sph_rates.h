@@ -102,11 +102,13 @@ private:
   std::vector<PartConstants> parts_;
 
   std::vector<QuadState> states_;
+  std::vector<QuadSums> sums_;
   std::vector<QuadWalls> walls_;
   std::vector<std::int32_t> ahead_;            // see PairInput
   std::vector<float> absolute_y_, absolute_z_; // the same
   std::vector<double> shock_stress_;           // q / x^2 of 5.58, rows; empty for other viscosities [Pa]
   std::vector<std::uint8_t> undisturbed_;      // of each quad: flies as it did at the start, without pressure
+  std::vector<std::uint8_t> active_;           // of each quad: not so, or one of those it meets is not
   std::optional<Eigen::Vector3f> flight_;      // velocity at the start [m/s]
   long skipped_ = 0;
 
@@ -119,7 +121,7 @@ private:
                const Rates& rates);
   void prepare_walls(const Particles& particles, const MirrorPlanes& walls, const Quad& list,
                      std::size_t quad);
-  bool can_skip(std::size_t quad, const Neighbours& neighbours) const;
+  void find_active(const Neighbours& neighbours);
   void finish(Particles& particles, const Quad& list, const QuadState& state, const QuadSums& sums,
               Rates& rates) const;
   void leave_alone(Particles& particles, const Quad& list, Rates& rates) const;

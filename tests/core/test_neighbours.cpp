@@ -28,16 +28,25 @@ std::set<std::pair<int, int>> close_pairs(const Particles& p, double skin, Perio
   return pairs;
 }
 
+//! Pairs from both sides; a quad is its own first partner, and two others are listed once.
 std::set<std::pair<int, int>> listed_pairs(const Particles& p, const Neighbours& list)
 {
   std::set<std::pair<int, int>> pairs;
-  for (const Quad& c : list.quads())
+  bool twice = false;
+  for (std::size_t q = 0; q < list.quads().size(); ++q) {
+    const Quad& c = list.quads()[q];
+    CHECK(list.partners()[c.first] == static_cast<int>(q));
     for (int i = c.begin; i < c.begin + c.count; ++i)
       for (int n = 0; n < c.partners; ++n) {
         const Quad& partner = list.quads()[list.partners()[c.first + n]];
-        for (int j = partner.begin; j < partner.begin + partner.count; ++j)
-          pairs.insert({p.id[i], p.id[j]});
+        for (int j = partner.begin; j < partner.begin + partner.count; ++j) {
+          twice |= !pairs.insert({p.id[i], p.id[j]}).second;
+          if (n > 0)
+            twice |= !pairs.insert({p.id[j], p.id[i]}).second;
+        }
       }
+  }
+  CHECK_FALSE(twice);
   return pairs;
 }
 
