@@ -70,13 +70,15 @@ void PairSchedule::build(std::vector<QuadRun> pieces, const std::vector<Plan>& p
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return std::pair(plans[a].layer, colour[a]) < std::pair(plans[b].layer, colour[b]);
+    return std::pair(plans[a].layer, -colour[a]) < std::pair(plans[b].layer, -colour[b]);
   });
 
-  if (count > tasks_.size() || !done_)
+  if (count > tasks_.size() || !done_) {
+    taken_ = std::make_unique<std::atomic<std::uint32_t>[]>(count);
     done_ = std::make_unique<std::atomic<std::uint32_t>[]>(count);
+  }
   for (std::size_t t = 0; t < count; ++t)
-    done_[t] = 0;
+    taken_[t] = done_[t] = 0;
   round_ = 0;
   tasks_.clear();
   waits_.clear();
@@ -94,6 +96,27 @@ void PairSchedule::build(std::vector<QuadRun> pieces, const std::vector<Plan>& p
     waits_.insert(waits_.end(), before.begin(), before.end());
     tasks_.push_back({first_piece(t), plans[t].end, first_wait, waits_.size()});
   }
+}
+
+bool PairSchedule::is_ready(const Task& task, std::uint32_t round) const
+{
+  for (std::size_t k = task.first_wait; k < task.end_wait; ++k)
+    if (done_[static_cast<std::size_t>(waits_[k])].load(std::memory_order_acquire) != round)
+      return false;
+  return true;
+}
+
+//! The first task, of some that follow, that nobody has taken and that need not wait; the number of tasks if there is none now.
+std::size_t PairSchedule::take(std::size_t& first, std::uint32_t round) const
+{
+  constexpr std::size_t look_ahead = 256;
+  while (first < tasks_.size() && taken_[first].load(std::memory_order_relaxed) == round)
+    ++first;
+  for (std::size_t t = first; t < std::min(tasks_.size(), first + look_ahead); ++t)
+    if (taken_[t].load(std::memory_order_relaxed) != round && is_ready(tasks_[t], round) &&
+        taken_[t].exchange(round, std::memory_order_relaxed) != round)
+      return t;
+  return tasks_.size();
 }
 
 } // namespace birdstrike

@@ -4,8 +4,6 @@
 
 #include "core/particles/pair_kernels.h"
 
-#include <omp.h>
-
 #include <atomic>
 #include <memory>
 #include <thread>
@@ -36,17 +34,14 @@ public:
   void run(const Function& f) const
   {
     const std::uint32_t round = ++round_;
-    std::atomic<std::size_t> next = 0;
 #pragma omp parallel if (tasks_.size() > 1)
-    for (std::size_t t = next++; t < tasks_.size(); t = next++) {
-      const Task& task = tasks_[t];
-      // Tasks are handed out in their order, so what is waited for has begun.
-      for (std::size_t k = task.first_wait; k < task.end_wait; ++k)
-        for (int spins = 0;
-             done_[static_cast<std::size_t>(waits_[k])].load(std::memory_order_acquire) != round; ++spins)
-          if (spins > 1000)
-            std::this_thread::yield();
-      for (std::size_t k = task.first_piece; k < task.end_piece; ++k)
+    for (std::size_t first = 0; first < tasks_.size();) { // all before it are taken
+      const std::size_t t = take(first, round);
+      if (t == tasks_.size()) {
+        std::this_thread::yield();
+        continue;
+      }
+      for (std::size_t k = tasks_[t].first_piece; k < tasks_[t].end_piece; ++k)
         for (std::int32_t q = pieces_[k].begin; q < pieces_[k].end; ++q)
           f(static_cast<std::size_t>(q));
       done_[t].store(round, std::memory_order_release);
@@ -63,10 +58,13 @@ private:
   };
   std::vector<Task> tasks_; // in their order
   std::vector<QuadRun> pieces_;
-  std::vector<std::int32_t> waits_;                    // tasks that must have ended before
-  std::unique_ptr<std::atomic<std::uint32_t>[]> done_; // of each task: the last round that it took part in
+  std::vector<std::int32_t> waits_;                            // tasks that must have ended before
+  std::unique_ptr<std::atomic<std::uint32_t>[]> taken_, done_; // of each task: in which round, last
   mutable std::uint32_t round_ = 0;
   std::vector<std::vector<std::int32_t>> touched_; // blocks of quads that each task adds to
+
+  bool is_ready(const Task& task, std::uint32_t round) const;
+  std::size_t take(std::size_t& first, std::uint32_t round) const;
 };
 
 } // namespace birdstrike
