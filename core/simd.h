@@ -153,35 +153,32 @@ BIRDSTRIKE_INLINE Floats inverse_root(Floats a)
 }
 BIRDSTRIKE_INLINE Floats to_floats(Ints a) { return __builtin_convertvector(a, Floats); }
 
-//! to[k] and the numbers of lanes 4k ... 4k + 3 combined, for 0 <= k < lanes / 4.
-template <class Combine>
-BIRDSTRIKE_INLINE void fold(Floats a, float* to, const Combine& combine)
+//! to[4 c + k] += sum over l of of[c][4 k + l], for 0 <= k < lanes / 4: what each group of four lanes has in all.
+BIRDSTRIKE_INLINE void add_within_groups(const Floats (&of)[4], float* to)
 {
-#if defined(__clang__)
-  Floats b = a, c;
-  for (int l = 0; l < lanes; ++l)
-    b[l] = a[l ^ 1];
-  a = combine(a, b);
-  for (int l = 0; l < lanes; ++l)
-    c[l] = a[l ^ 2];
-  a = combine(a, c);
-#else
-  Ints one, two;
-  for (int l = 0; l < lanes; ++l)
-    one[l] = l ^ 1, two[l] = l ^ 2;
-  a = combine(a, __builtin_shuffle(a, one));
-  a = combine(a, __builtin_shuffle(a, two));
-#endif
-  float first[lanes / 4];
 #if defined(__AVX512F__)
-  const __m512i firsts = _mm512_set_epi32(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 12, 8, 4, 0);
-  _mm_storeu_ps(first, _mm512_castps512_ps128(_mm512_permutexvar_ps(firsts, a)));
+  // Of each group [p0, p1, p2, p3], [q0, ...]: [p0 + p2, p1 + p3, q0 + q2, q1 + q3]
+  const auto halve = [](__m512 p, __m512 q) {
+    return _mm512_add_ps(_mm512_shuffle_ps(p, q, 0x44), _mm512_shuffle_ps(p, q, 0xee));
+  };
+  const __m512 a = halve(of[0], of[1]), b = halve(of[2], of[3]);
+  const __m512 sum = _mm512_add_ps(_mm512_shuffle_ps(a, b, 0x88), _mm512_shuffle_ps(a, b, 0xdd)); // 4 k + c
+  const __m512i turned = _mm512_set_epi32(15, 11, 7, 3, 14, 10, 6, 2, 13, 9, 5, 1, 12, 8, 4, 0);
+  _mm512_storeu_ps(to, _mm512_add_ps(_mm512_loadu_ps(to), _mm512_permutexvar_ps(turned, sum)));
 #else
-  for (int k = 0; k < lanes / 4; ++k)
-    first[k] = a[4 * k];
+  for (int c = 0; c < 4; ++c)
+    for (int k = 0; k < lanes / 4; ++k)
+      to[4 * c + k] += (of[c][4 * k] + of[c][4 * k + 2]) + (of[c][4 * k + 1] + of[c][4 * k + 3]);
 #endif
-  for (int k = 0; k < lanes / 4; ++k)
-    to[k] = combine(to[k], first[k]);
+}
+
+//! to[k] = the largest of itself and lanes 4 k ... 4 k + 3 of \p a.
+BIRDSTRIKE_INLINE void find_largest_within_groups(Floats a, float* to)
+{
+  float all[lanes];
+  std::memcpy(all, &a, sizeof all);
+  for (int l = 0; l < lanes; ++l)
+    to[l / 4] = to[l / 4] > all[l] ? to[l / 4] : all[l];
 }
 
 //! to[4 c + l] += sum over k of of[c][4 k + l]: what the groups of four lanes have for the same partners.

@@ -45,10 +45,11 @@ void reorder(Particles& p, const std::vector<std::int32_t>& order)
   reorder(p.id, order, ids);
 }
 
-bool Neighbours::is_stale(const Particles& p) const
+bool Neighbours::is_stale(const Particles& p)
 {
   if (rebuilds_ == 0)
     return true;
+  ++steps_;
   const PairUnits unit = units(p.spacing);
   const WholePlace whole_x(unit.x, p.spacing), whole_y(unit.y, p.spacing), whole_z(unit.z, p.spacing);
   const auto moved = [&](std::size_t quad, std::size_t lane) { // since the last build, modulo 2^32
@@ -361,8 +362,24 @@ void Neighbours::part_into_tasks()
   schedule_.build(std::move(pieces), plans, quads_, partners_);
 }
 
+//! A list costs as much as a step or so. Wide skins cost time in every step, more so in a dense bird than in debris, where
+//! lists wear out fastest.
+void Neighbours::adapt_skin()
+{
+  constexpr long short_life = 10, long_life = 20;             // steps
+  constexpr double step = 1.15, narrowest = 0.75, widest = 3; // of the first skin
+  const bool may_adapt =
+      rebuilds_ > 0 && period_.y <= 0 && period_.z <= 0; // small boxes have no room for wide skins
+  if (may_adapt && steps_ < short_life)
+    skin_ = std::min(skin_ * step, widest * first_skin_);
+  else if (may_adapt && steps_ > long_life)
+    skin_ = std::max(skin_ / step, narrowest * first_skin_);
+  steps_ = 0;
+}
+
 void Neighbours::build(const Particles& p)
 {
+  adapt_skin();
   cut_quads(p);
   const double longest_reach = place_quads(p);
   found_unit_ = units(p.spacing);

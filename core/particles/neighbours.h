@@ -14,16 +14,16 @@ namespace birdstrike {
 //! within a pencil, so that four consecutive ones are close to each other; where they are not (debris), a quad
 //! has fewer. The list holds every pair within h_i + h_j + skin_i + skin_j once and is used again until motion could
 //! have brought a pair in from outside: that is measured against the bird's mean motion, so free flight costs no
-//! rebuild.
+//! rebuild. Skins widen where lists do not last, and shrink where they last long.
 class Neighbours
 {
 public:
-  //! \param skin    mean of the particles' skins [m]
+  //! \param skin    mean of the particles' skins, at first [m]
   //! \param period  lengths after which space repeats; 0 for none [m]
-  Neighbours(double skin, Period period) : skin_(skin), period_(period) {}
+  Neighbours(double skin, Period period) : skin_(skin), first_skin_(skin), period_(period) {}
 
-  //! Could a pair that is not in the list interact by now?
-  bool is_stale(const Particles& particles) const;
+  //! Could a pair that is not in the list interact by now? Asked once a step, which tells how long lists last.
+  bool is_stale(const Particles& particles);
 
   //! The order that sorts the particles: new row k holds old row order[k].
   //! \throw RunError if a position is not finite
@@ -51,8 +51,9 @@ private:
     std::size_t offset = 0;
   };
 
-  double skin_;
+  double skin_, first_skin_; // [m]
   Period period_;
+  long steps_ = 0; // that the present lists have been asked for
 
   // Pencil (iy, iz) holds rows [pencil_begin_[k], pencil_begin_[k + 1]) with k = iz * pencils_y_ + iy.
   double width_y_ = 0, width_z_ = 0, origin_y_ = 0, origin_z_ = 0; // [m]
@@ -73,6 +74,7 @@ private:
   double mean_neighbours_ = 0;
 
   int pencil_at(double value, double origin, double width, int count) const;
+  void adapt_skin();
   void cut_quads(const Particles& particles);
   double place_quads(const Particles& particles);
   void search(std::size_t quad, double longest_reach, Found& found);

@@ -197,7 +197,7 @@ BIRDSTRIKE_INLINE void find_stress(Sums& sum, QuadSums* other, const Side& i, co
   const Floats mu = k > 0.0f ? speed : zero;
   sum.mu = max(sum.mu, mu);
   if (other)
-    combine_groups(mu, other->mu, Largest());
+    combine_groups(mu, other->of[QuadSums::mu], Largest());
 }
 
 //! Force and velocity gradient of the lanes i, and all sums of their partners. As seen from j, d and v are opposite; in the
@@ -221,13 +221,13 @@ BIRDSTRIKE_INLINE void add_pairs(Sums& sum, QuadSums* other, const Side& i, cons
     if (other) {
       constexpr bool image = seen == Seen::in_plate;
       const auto turned = [](Floats a) { return image ? -a : a; };
-      add_groups({image ? fx : -fx, -fy, -fz, near.number}, other->fx);
-      add_groups({g[0], turned(g[1]), turned(g[2]), turned(g[3])}, other->gradient[0]);
-      add_groups({g[4], g[5], turned(g[6]), g[7]}, other->gradient[4]);
+      add_groups({image ? fx : -fx, -fy, -fz, near.number}, other->of[QuadSums::fx]);
+      add_groups({g[0], turned(g[1]), turned(g[2]), turned(g[3])}, other->of[QuadSums::gradient]);
+      add_groups({g[4], g[5], turned(g[6]), g[7]}, other->of[QuadSums::gradient + 4]);
       add_groups({g[8], near.number * i.pressure, near.heating, mixed ? near.extra_work : Floats{}},
-                 other->gradient[8]);
+                 other->of[QuadSums::gradient + 8]);
       if constexpr (image)
-        combine_groups(fx, other->wall, Sum());
+        combine_groups(fx, other->of[QuadSums::wall], Sum());
     }
 }
 
@@ -439,23 +439,17 @@ void add_wall_images(Sums& total, const Side& i, const Walls& wall, const Meetin
   total += sum;
 }
 
-//! Lanes of one row together.
-BIRDSTRIKE_INLINE void store(const Sums& sum, QuadSums& to, int row)
+//! Adds up the lanes of each row.
+BIRDSTRIKE_INLINE void store(const Sums& sum, bool images, QuadSums& to, int row)
 {
-  const auto add = [&](Floats a, float* out) { fold(a, out + row, Sum()); };
-  add(sum.fx, to.fx);
-  add(sum.fy, to.fy);
-  add(sum.fz, to.fz);
-  add(sum.number, to.number);
-  for (int c = 0; c < 9; ++c)
-    add(sum.gradient[c], to.gradient[c]);
-  add(sum.pressure, to.pressure);
-  add(sum.heating, to.heating);
-  add(sum.extra_work, to.extra_work);
-  add(sum.wall, to.wall);
-  add(sum.wall_y, to.wall_y);
-  add(sum.wall_z, to.wall_z);
-  fold(sum.mu, to.mu + row, Largest());
+  const Floats(&g)[9] = sum.gradient;
+  add_within_groups({sum.fx, sum.fy, sum.fz, sum.number}, to.of[QuadSums::fx] + row);
+  add_within_groups({g[0], g[1], g[2], g[3]}, to.of[QuadSums::gradient] + row);
+  add_within_groups({g[4], g[5], g[6], g[7]}, to.of[QuadSums::gradient + 4] + row);
+  add_within_groups({g[8], sum.pressure, sum.heating, sum.extra_work}, to.of[QuadSums::gradient + 8] + row);
+  if (images)
+    add_within_groups({sum.wall, sum.wall_y, sum.wall_z, Floats{}}, to.of[QuadSums::wall] + row);
+  find_largest_within_groups(sum.mu, to.of[QuadSums::mu] + row);
 }
 
 //! Partners that have the quad's rest density, or those that have not.
@@ -491,7 +485,7 @@ void add_wall_images_of_partners(const Quad* quads, const Meeting& meeting)
       add_wall_images<limited, mixed>(sum, spread_side(in.quads[partner], row),
                                       spread_walls(in.walls[partner], row), back);
       if (any_positive(sum.number))
-        store(sum, meeting.sums[partner], row);
+        store(sum, true, meeting.sums[partner], row);
     }
   }
 }
@@ -506,15 +500,16 @@ void rates_of(const Quad* quads, std::int32_t quad, const std::int32_t* all_part
   const auto beta = static_cast<float>(s.beta);
   const Meeting alike{quad, partners, list.alike, sums, in, s, unit, beta};
   const Meeting unlike{quad, partners + list.alike, list.partners - list.alike, sums, in, s, unit, beta};
+  const bool before_wall = in.walls && any_open(in.walls[quad]), ahead = s.plate.present && in.ahead[quad];
   for (int row = 0; row < list.count; row += rows_at_once) {
     const Side i = spread_side(in.quads[quad], row);
     Sums sum;
     meet_all<limited, false>(sum, i, row, alike);
     if (unlike.count > 0)
       meet_all<limited, true>(sum, i, row, unlike);
-    store(sum, sums[quad], row);
+    store(sum, before_wall || ahead, sums[quad], row);
   }
-  if (in.walls && any_open(in.walls[quad])) {
+  if (before_wall) {
     add_wall_images_of_partners<limited, false>(quads, alike);
     add_wall_images_of_partners<limited, true>(quads, unlike);
   }

@@ -62,24 +62,27 @@ struct alignas(64) QuadWalls
   float open[quad_size];                          //!< 0 for none, up to 1 [-]
 };
 
-//! Sums over partners, all but mu times the particle's own QuadState.weight and over the factors below, which a pair so need
-//! not be multiplied by; lengths in spacings. The first sixteen rows are added to four at a time.
+//! Sums over partners, all but mu times the particle's own QuadState.weight and over the factors below, by which a pair so
+//! need not be multiplied; lengths in spacings. Rows are added to four at a time.
 struct alignas(64) QuadSums
 {
-  float fx[quad_size], fy[quad_size],
-      fz[quad_size]; //!< rho0 dv/dt: - sum V_j (a_ij stress_i + a_ji stress_j + Q_ij) grad_i W_ij [Pa/spacing]
-  float number[quad_size]; //!< sum V_j W_ij, the compression [-]
-  float gradient
-      [9]
-      [quad_size]; //!< row-major: sum V_j (v_j - v_i) (x) grad_i W_ij, x times the velocity gradient [m/s per spacing]
-  float pressure[quad_size]; //!< sum V_j p_j W_ij [Pa]
-  float heating[quad_size];  //!< rho0 times the viscous heating [Pa m/s per spacing]
-  float extra_work
-      [quad_size]; //!< sum V_j (a_ij - 1) (v_i - v_j) . grad_i W_ij, a_ij = 2 rho0_j / (rho0_i + rho0_j)
-                   //!< [m/s per spacing]
-  float wall[quad_size], wall_y[quad_size],
-      wall_z[quad_size]; //!< shares of fx, fy, fz that came from mirror images; the last two of walls only
-  float mu[quad_size];   //!< largest |mu_ij| or U_ij [m/s]
+  enum Row
+  {
+    fx, //!< rho0 dv/dt: - sum V_j (a_ij stress_i + a_ji stress_j + Q_ij) grad_i W_ij [Pa/spacing]
+    fy,
+    fz,
+    number, //!< sum V_j W_ij, the compression [-]
+    gradient, //!< nine rows: sum V_j (v_j - v_i) (x) grad_i W_ij, x times the velocity gradient [m/s per spacing]
+    pressure = gradient + 9, //!< sum V_j p_j W_ij [Pa]
+    heating,                 //!< rho0 times the viscous heating [Pa m/s per spacing]
+    extra_work, //!< sum V_j (a_ij - 1) (v_i - v_j) . grad_i W_ij, a_ij = 2 rho0_j / (rho0_i + rho0_j) [m/s per spacing]
+    wall,   //!< share of fx that came from mirror images
+    wall_y, //!< the same of fy, images in walls only
+    wall_z,
+    mu, //!< largest |mu_ij| or U_ij [m/s]
+    rows
+  };
+  float of[rows][quad_size];
 
   static constexpr double force_factor = 6, gradient_factor = -6, heating_factor = 3, work_factor = 6;
 };

@@ -189,6 +189,7 @@ void SphRates::finish(Particles& p, const Quad& list, const QuadState& state, co
 {
   const ViscosityKind kind = settings_.viscosity.kind;
   const double per_spacing = 1 / p.spacing;
+  using S = QuadSums;
   for (std::size_t l = 0; l < static_cast<std::size_t>(list.count); ++l) {
     const std::size_t i = static_cast<std::size_t>(list.begin) + l;
     // The mass may differ from volume times density (dissertation 8.3.3): that is inertia and nothing else.
@@ -196,29 +197,29 @@ void SphRates::finish(Particles& p, const Quad& list, const QuadState& state, co
     const double cell = part.cell, per_density = cell / p.mass[i], rest_density = part.rest_density;
     const double x = rest_density * static_cast<double>(state.lightness[l]);
     const double per_weight = 1.0 / state.weight[l], per_length = per_spacing * per_weight;
-    const double per_time = QuadSums::gradient_factor * per_length / x;
+    const double per_time = S::gradient_factor * per_length / x;
     std::array<double, 9> g; // grad v
     for (std::size_t c = 0; c < 9; ++c)
-      g[c] = sums.gradient[c][l] * per_time;
+      g[c] = sums.of[S::gradient + c][l] * per_time;
     const double compression_rate = -x * (g[0] + g[4] + g[8]); // D
-    const double work = compression_rate + QuadSums::work_factor * sums.extra_work[l] * per_length;
+    const double work = compression_rate + S::work_factor * sums.of[S::extra_work][l] * per_length;
     const double shock = shock_stress_.empty() ? 0 : shock_stress_[i];
-    p.mean_pressure[i] = sums.pressure[l] / sums.number[l];
-    const double pull = QuadSums::force_factor * per_length, force = pull * per_density,
-                 wall_force = pull * cell;
-    r.ax[i] = sums.fx[l] * force;
-    r.ay[i] = sums.fy[l] * force;
-    r.az[i] = sums.fz[l] * force;
-    r.wall_force[i] = sums.wall[l] * wall_force;
+    p.mean_pressure[i] = sums.of[S::pressure][l] / sums.of[S::number][l];
+    const double pull = S::force_factor * per_length, force = pull * per_density, wall_force = pull * cell;
+    r.ax[i] = sums.of[S::fx][l] * force;
+    r.ay[i] = sums.of[S::fy][l] * force;
+    r.az[i] = sums.of[S::fz][l] * force;
+    r.wall_force[i] = sums.of[S::wall][l] * wall_force;
     if (!walls_.empty())
-      r.image_force[i] = wall_force * Vector3(sums.wall[l], sums.wall_y[l], sums.wall_z[l]);
+      r.image_force[i] =
+          wall_force * Vector3(sums.of[S::wall][l], sums.of[S::wall_y][l], sums.of[S::wall_z][l]);
     r.divergence[i] = g[0] + g[4] + g[8];
     r.density[i] = rest_density * compression_rate;
-    r.summed_density[i] = rest_density * compression(sums.number[l] * per_weight);
-    r.viscous[i] = (QuadSums::heating_factor * sums.heating[l] * per_length + shock * work) * per_density;
+    r.summed_density[i] = rest_density * compression(sums.of[S::number][l] * per_weight);
+    r.viscous[i] = (S::heating_factor * sums.of[S::heating][l] * per_length + shock * work) * per_density;
     r.energy[i] = r.viscous[i] + (state.stress[l] - shock) * work * per_density;
     r.approach[i] = kind == ViscosityKind::bulk ? std::cbrt(cell / x) * std::abs(r.divergence[i])
-                                                : static_cast<double>(sums.mu[l]);
+                                                : static_cast<double>(sums.of[S::mu][l]);
     r.limiter[i] = kind == ViscosityKind::limited    ? plane_compression(g)
                    : kind == ViscosityKind::switched ? shear_switch(g)
                                                      : 1;
