@@ -72,6 +72,10 @@ public:
     histories_.flush();
     if (transducers_)
       transducers_->flush();
+    const std::vector<double>& pressure = run.particles().pressure;
+    if (!pressure.empty())
+      frame_peaks_.values.insert(frame_peaks_.values.end(),
+                                 {run.time(), *std::max_element(pressure.begin(), pressure.end())});
     const auto bird = particles_to_vtk(run.particles(), run.time());
     const auto target = run.plate()         ? plate_to_vtk(*run.plate(), run.time())
                         : run.mesh_target() ? mesh_target_to_vtk(*run.mesh_target(), run.time())
@@ -82,6 +86,9 @@ public:
 
   void finish() { progress_.finish(); }
   const SeriesWriter& series() const { return series_; }
+
+  //! What the frames show of the maximum pressure.
+  const History& frame_peaks() const { return frame_peaks_; }
 
 private:
   void append(const Simulation& run)
@@ -113,6 +120,7 @@ private:
   HistoryFile histories_;
   std::optional<HistoryFile> transducers_;
   Progress progress_;
+  History frame_peaks_{.columns = {{"time", "s"}, {"max_pressure_all", "Pa"}}, .values = {}};
   Log& log_;
   bool balance_warned_ = false;
 };
@@ -167,12 +175,14 @@ void run_and_record(const Case& parsed, const RunOptions& options, Simulation& r
   facts.bird = bird;
   facts.series_bytes = recorder.series().bytes();
   evaluate_gauges(parsed, run, flight, facts);
-  const History frames = to_history(*histories_of_series(recorder.series().path()));
-  if (const std::size_t c = frames.find("permanent_set"); run.mesh_target() && c < frames.columns.size())
-    facts.permanent_set = frames.at(0, c);
-  if (const std::size_t c = frames.find("max_pressure_all"); c < frames.columns.size())
-    for (std::size_t row = 0; row < frames.rows(); ++row)
-      facts.peak_on_frames = std::max(facts.peak_on_frames, frames.at(row, c));
+  const History& frames = recorder.frame_peaks();
+  for (std::size_t row = 0; row < frames.rows(); ++row)
+    facts.peak_on_frames = std::max(facts.peak_on_frames, frames.at(row, 1));
+  if (run.mesh_target()) {
+    const History deflection = to_history(*histories_of_series(recorder.series().path()));
+    if (const std::size_t c = deflection.find("permanent_set"); c < deflection.columns.size())
+      facts.permanent_set = deflection.at(0, c);
+  }
   if (options.figures) {
     log.info("drawing figures");
     const auto figures_start = Clock::now();

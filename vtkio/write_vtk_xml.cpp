@@ -2,6 +2,7 @@
 // One dataset into one of VTK's XML files, with the reason if that fails.
 #include "vtkio/write_vtk_xml.h"
 
+#include "vtkio/deflate_compressor.h"
 #include "vtkio/vtk_errors.h"
 
 #include <vtkDataObject.h>
@@ -10,7 +11,6 @@
 #include <vtkLZMADataCompressor.h>
 #include <vtkSmartPointer.h>
 #include <vtkXMLWriter.h>
-#include <vtkZLibDataCompressor.h>
 
 #include <cerrno>
 #include <cstring>
@@ -28,8 +28,7 @@ vtkSmartPointer<vtkDataCompressor> compressor_for(Compression compression)
     compressor = vtkSmartPointer<vtkLZ4DataCompressor>::New();
     break;
   case Compression::zlib:
-    compressor = vtkSmartPointer<vtkZLibDataCompressor>::New();
-    break;
+    return make_deflate_compressor();
   case Compression::lzma:
     compressor = vtkSmartPointer<vtkLZMADataCompressor>::New();
     break;

@@ -86,6 +86,8 @@ struct Largest
 struct Near
 {
   Vector d;          //!< x_i - x_j [spacings]
+  Floats r2;         //!< d.d
+  Floats open;       //!< 1 where the pair may act, 0 where something stands between; set where anything may
   Floats inverse_r;  //!< 1 / |d|
   Floats number;     //!< V_i V_j W
   Floats k;          //!< a sixth of -V_i V_j (1/r) dW/dr; exactly nothing where the support does not reach j
@@ -96,34 +98,41 @@ struct Near
 };
 constexpr int near_at_once = 12; // stays in the nearest cache
 
-//! One partner's geometry: the pairs' share of the sums that need no more than it, and the rest into \p to.
-//! \param open  1 where the pair may act, 0 where something stands between
-//! \return whether any pair is near
+//! Is any pair within reach?
 template <bool gated>
-BIRDSTRIKE_INLINE bool meet(Sums& sum, const Side& i, const QuadState& q, std::int32_t partner,
-                            const Vector& d, [[maybe_unused]] Floats open, Near& to)
+BIRDSTRIKE_INLINE bool meet(const Side& i, const QuadState& q, std::int32_t partner, const Vector& d,
+                            [[maybe_unused]] Floats open, Near& to)
+{
+  const Floats reach = i.support + tile(q.support);       // 2 h_ij: where the kernel ends
+  to.r2 = d.z * d.z + (d.y * d.y + (d.x * d.x + 1e-12f)); // never zero
+  to.d.x = d.x, to.d.y = d.y, to.d.z = d.z;
+  if constexpr (gated)
+    to.open = open;
+  to.partner = partner;
+  return any_positive(reach * reach - to.r2);
+}
+
+//! Kernel and gradient, and the sums that need no more.
+template <bool gated>
+BIRDSTRIKE_INLINE void weigh(Sums& sum, const Side& i, const QuadState& q, Near& near)
 {
   const Floats zero{};
-  to.d.x = d.x, to.d.y = d.y, to.d.z = d.z;
-  const Floats inverse_reach = reciprocal(i.support + tile(q.support)); // 1 / (2 h_ij): where the kernel ends
-  const Floats r2 = d.z * d.z + (d.y * d.y + (d.x * d.x + 1e-12f));     // never zero
-  const Floats inverse_r = inverse_root(r2);
+  const Floats inverse_reach = reciprocal(i.support + tile(q.support));
+  const Floats inverse_r = inverse_root(near.r2);
 
   // 4.13 in truncated powers of s = r / (2h): W = 8 (2 A^3 - B^3) / (pi (2h)^3), A = 1 - s, B = 1 - 2s,
   // and -(1/r) dW/dr = 48 (A^2 - B^2) / (pi (2h)^4 r)
-  const Floats s = r2 * inverse_r * inverse_reach;
+  const Floats s = near.r2 * inverse_r * inverse_reach;
   const Floats a = max(1.0f - s, zero), b = max(1.0f - 2.0f * s, zero);
   const Floats a2 = a * a, b2 = b * b, inverse_reach2 = inverse_reach * inverse_reach;
   Floats weight = i.weight * tile(q.weight) * (inverse_reach2 * inverse_reach);
   if constexpr (gated)
-    weight *= open;
-  to.number = weight * (2.0f * a * a2 - b * b2);
-  sum.number += to.number;
-  sum.pressure += to.number * tile(q.pressure);
-  to.inverse_r = inverse_r;
-  to.k = weight * inverse_reach * (a2 - b2) * inverse_r;
-  to.partner = partner;
-  return any_positive(to.k + to.number);
+    weight *= near.open;
+  near.number = weight * (2.0f * a * a2 - b * b2);
+  sum.number += near.number;
+  sum.pressure += near.number * tile(q.pressure);
+  near.inverse_r = inverse_r;
+  near.k = weight * inverse_reach * (a2 - b2) * inverse_r;
 }
 
 //! d.G d, from the symmetric part of G.
@@ -258,6 +267,11 @@ BIRDSTRIKE_INLINE Walls spread_walls(const QuadWalls& w, int row)
           spread(w.height + row), spread(w.speed + row), spread(w.open + row)};
 }
 
+BIRDSTRIKE_INLINE bool has_images(std::int32_t quad, const PairInput& in, const MirrorPlate& plate)
+{
+  return plate.present && in.gap[quad] < static_cast<float>(plate.reach);
+}
+
 BIRDSTRIKE_INLINE bool any_open(const QuadWalls& w)
 {
   return w.open[0] > 0 || w.open[1] > 0 || w.open[2] > 0 || w.open[3] > 0;
@@ -294,18 +308,19 @@ struct Meeting
   QuadSums* other(std::int32_t partner) const { return partner == self ? nullptr : sums + partner; }
 };
 
-//! \p geometry of all partners, then \p stress and \p add of those that are near. Each loop keeps its numbers in registers
+//! \p find of all partners, then \p weigh, \p stress and \p add of those that are near. Each loop keeps its numbers in registers
 //! and is short enough for the processor to work on several partners at once; and what would add nothing is left out.
-template <class Geometry, class Stress, class Add>
-BIRDSTRIKE_INLINE void for_near(const Meeting& meeting, const Geometry& geometry, const Stress& stress,
-                                const Add& add)
+template <class Find, class Weigh, class Stress, class Add>
+BIRDSTRIKE_INLINE void for_near(const Meeting& meeting, const Find& find, const Weigh& weigh,
+                                const Stress& stress, const Add& add)
 {
   Near near[near_at_once];
-  for (int from = 0; from < meeting.count; from += near_at_once) {
-    const int to = std::min(meeting.count, from + near_at_once);
+  for (int next = 0; next < meeting.count;) {
     int count = 0;
-    for (int n = from; n < to; ++n)
-      count += geometry(meeting.partners[n], near[count]);
+    for (; next < meeting.count && count < near_at_once; ++next)
+      count += find(meeting.partners[next], near[count]);
+    for (int n = 0; n < count; ++n)
+      weigh(near[n]);
     for (int n = 0; n < count; ++n)
       stress(near[n]);
     for (int n = 0; n < count; ++n)
@@ -326,8 +341,9 @@ void add_direct(Sums& total, const Side& i, [[maybe_unused]] const Walls& wall, 
         Floats open{};
         if constexpr (walls)
           open = open_past_walls(wall, in.walls[partner], d);
-        return meet<walls>(sum, i, q, partner, d, open, near);
+        return meet<walls>(i, q, partner, d, open, near);
       },
+      [&](Near& near) { weigh<walls>(sum, i, in.quads[near.partner], near); },
       [&](Near& near) {
         const QuadState& q = in.quads[near.partner];
         find_stress<Seen::direct, limited, mixed>(sum, meeting.other(near.partner), i, q, near,
@@ -351,6 +367,7 @@ void add_images(Sums& total, const Side& i, Floats absolute_y, Floats absolute_z
   const MirrorPlate& plate = meeting.settings.plate;
   const Floats zero{}, one = zero + 1.0f;
   const Floats own_x = to_floats(i.x) * meeting.unit.x;
+  const float image_reach = static_cast<float>(plate.reach) - in.gap[meeting.self];
   // Both sides of a pair within the quad find the crossing for themselves, right to single precision: one that is on the
   // rim counts for both.
   constexpr float rim = 1 + 4e-7f;
@@ -364,7 +381,7 @@ void add_images(Sums& total, const Side& i, Floats absolute_y, Floats absolute_z
   for_near(
       meeting,
       [&](std::int32_t partner, Near& near) {
-        if (!in.ahead[partner])
+        if (in.gap[partner] >= image_reach)
           return false;
         const QuadState& q = in.quads[partner];
         Vector d = difference(i, q, meeting.unit);
@@ -378,8 +395,9 @@ void add_images(Sums& total, const Side& i, Floats absolute_y, Floats absolute_z
           open = max(cross_y, -cross_y) <= half_y ? open : zero;
           open = max(cross_z, -cross_z) <= half_z ? open : zero;
         }
-        return meet<true>(sum, i, q, partner, d, open, near);
+        return meet<true>(i, q, partner, d, open, near);
       },
+      [&](Near& near) { weigh<true>(sum, i, in.quads[near.partner], near); },
       [&](Near& near) {
         const QuadState& q = in.quads[near.partner];
         find_stress<Seen::in_plate, limited, mixed>(sum, meeting.other(near.partner), i, q, near,
@@ -423,8 +441,9 @@ void add_wall_images(Sums& total, const Side& i, const Walls& wall, const Meetin
         open = facing > same_way ? open : zero;
         const Floats lift = 2.0f * height;
         const Vector d{direct.x + lift * wall.x, direct.y + lift * wall.y, direct.z + lift * wall.z};
-        return meet<true>(sum, i, q, partner, d, open, near);
+        return meet<true>(i, q, partner, d, open, near);
       },
+      [&](Near& near) { weigh<true>(sum, i, in.quads[near.partner], near); },
       [&](Near& near) {
         const QuadState& q = in.quads[near.partner];
         const Vector& d = near.d;
@@ -464,7 +483,7 @@ BIRDSTRIKE_INLINE void meet_all(Sums& sum, const Side& i, int row, const Meeting
   } else {
     add_direct<limited, mixed, false>(sum, i, Walls(), meeting);
   }
-  if (meeting.settings.plate.present && in.ahead[meeting.self])
+  if (has_images(meeting.self, in, meeting.settings.plate))
     add_images<limited, mixed>(sum, i, spread(in.absolute_y + meeting.self * quad_size + row),
                                spread(in.absolute_z + meeting.self * quad_size + row), meeting);
 }
@@ -500,7 +519,7 @@ void rates_of(const Quad* quads, std::int32_t quad, const std::int32_t* all_part
   const auto beta = static_cast<float>(s.beta);
   const Meeting alike{quad, partners, list.alike, sums, in, s, unit, beta};
   const Meeting unlike{quad, partners + list.alike, list.partners - list.alike, sums, in, s, unit, beta};
-  const bool before_wall = in.walls && any_open(in.walls[quad]), ahead = s.plate.present && in.ahead[quad];
+  const bool before_wall = in.walls && any_open(in.walls[quad]), ahead = has_images(quad, in, s.plate);
   for (int row = 0; row < list.count; row += rows_at_once) {
     const Side i = spread_side(in.quads[quad], row);
     Sums sum;

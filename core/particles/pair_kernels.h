@@ -99,6 +99,7 @@ struct MirrorPlate
 {
   bool present = false, endless = false; //!< endless: the plate of a box that repeats has no rim
   double half_y = 0, half_z = 0;
+  double reach = 0; //!< no pair that is further apart acts; both gaps together must be less
 };
 
 struct PairSettings
@@ -112,10 +113,11 @@ struct PairSettings
 struct PairInput
 {
   const QuadState* quads;
-  const QuadWalls* walls;    //!< null: no particle has one
-  const std::int32_t* ahead; //!< of each quad: 1 where it is near enough to the plate to have images
+  const QuadWalls* walls; //!< null: no particle has one
+  const float*
+      gap; //!< of each quad: from the row in front of the plate that is nearest to it; 1e30 without one [spacings]
   const float *absolute_y,
-      *absolute_z; //!< quad_size a quad, where ahead; lanes' places on the plate [spacings]
+      *absolute_z; //!< quad_size a quad, lanes' places on the plate [spacings]
 };
 
 //! Quads [begin, end).

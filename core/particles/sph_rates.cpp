@@ -75,19 +75,20 @@ void SphRates::read_parts(const Particles& p)
     flight_ = p.velocity(0).cast<float>();
   pair_settings_.plate.half_y /= p.spacing;
   pair_settings_.plate.half_z /= p.spacing;
+  pair_settings_.plate.reach = 2 * p.initial_smoothing * settings_.smoothing_growth / p.spacing * (1 + 1e-6);
 }
 
 void SphRates::prepare(Particles& p, const Trial& trial, const Quad& list, std::size_t quad,
                        const Rates& rates)
 {
   const double per_spacing = 1 / p.spacing, half_alpha = 0.5 * settings_.viscosity.linear;
-  const double image_reach = 2 * p.initial_smoothing * settings_.smoothing_growth;
   const PairUnits& unit = pair_settings_.unit;
   const WholePlace whole_x(unit.x, p.spacing), whole_y(unit.y, p.spacing), whole_z(unit.z, p.spacing);
   const auto single = [](double value) { return static_cast<float>(value); };
   QuadState& state = states_[quad];
   sums_[quad] = {};
-  bool undisturbed = true, ahead = false;
+  bool undisturbed = true;
+  double gap = 1e30;
   for (std::size_t l = 0; l < quad_size; ++l) {
     const bool used = l < static_cast<std::size_t>(list.count);
     const std::size_t i = static_cast<std::size_t>(list.begin) + (used ? l : 0);
@@ -107,7 +108,8 @@ void SphRates::prepare(Particles& p, const Trial& trial, const Quad& list, std::
       p.sound_speed[i] = point.sound_speed;
       undisturbed = undisturbed && p.pressure[i] == 0 && single(trial.vx[i]) == (*flight_)[0] &&
                     single(trial.vy[i]) == (*flight_)[1] && single(trial.vz[i]) == (*flight_)[2];
-      ahead = ahead || (p.x[i] < 0 && p.x[i] > -image_reach);
+      if (p.x[i] < 0)
+        gap = std::min(gap, -p.x[i] * per_spacing);
     }
     const double x = trial.density[i] * part.per_density, per_x2 = 1 / (x * x);
     double q = 0; // 5.58 uses the rate of compression at the end of the step before
@@ -137,7 +139,7 @@ void SphRates::prepare(Particles& p, const Trial& trial, const Quad& list, std::
     }
   }
   undisturbed_[quad] = undisturbed;
-  ahead_[quad] = ahead;
+  gap_[quad] = single(gap);
 }
 
 void SphRates::prepare_walls(const Particles& p, const MirrorPlanes& walls, const Quad& list,
@@ -166,7 +168,7 @@ void SphRates::find_active(const Neighbours& neighbours)
 {
   const std::vector<Quad>& quads = neighbours.quads();
   for_each_row(quads.size(), [&](std::size_t q) {
-    active_[q] = !undisturbed_[q] || (pair_settings_.plate.present && ahead_[q]);
+    active_[q] = !undisturbed_[q] || (pair_settings_.plate.present && gap_[q] < pair_settings_.plate.reach);
   });
   // Lists have each pair once, so both are marked; by several threads at a time, but all write the same.
   const auto mark = [&](std::size_t q) {
@@ -244,7 +246,7 @@ void SphRates::evaluate(Particles& p, const std::vector<double>& vx, const std::
   sums_.resize(count);
   active_.resize(count);
   undisturbed_.resize(count);
-  ahead_.resize(count);
+  gap_.resize(count);
   walls_.resize(walls ? count : 0);
   rates.image_force.resize(walls ? p.size() : 0);
   if (settings_.viscosity.kind == ViscosityKind::bulk)
@@ -261,7 +263,7 @@ void SphRates::evaluate(Particles& p, const std::vector<double>& vx, const std::
       prepare_walls(p, *walls, quads[q], q);
   });
 
-  const PairInput in{states_.data(), walls ? walls_.data() : nullptr, ahead_.data(), absolute_y_.data(),
+  const PairInput in{states_.data(), walls ? walls_.data() : nullptr, gap_.data(), absolute_y_.data(),
                      absolute_z_.data()};
   // Where h follows the density, that of a free surface goes on changing in flight.
   const bool held = settings_.smoothing_shrink == 1 && settings_.smoothing_growth == 1;

@@ -104,7 +104,7 @@ private:
   std::vector<QuadState> states_;
   std::vector<QuadSums> sums_;
   std::vector<QuadWalls> walls_;
-  std::vector<std::int32_t> ahead_;            // see PairInput
+  std::vector<float> gap_;                     // see PairInput
   std::vector<float> absolute_y_, absolute_z_; // the same
   std::vector<double> shock_stress_;           // q / x^2 of 5.58, rows; empty for other viscosities [Pa]
   std::vector<std::uint8_t> undisturbed_;      // of each quad: flies as it did at the start, without pressure
