@@ -135,11 +135,14 @@ BIRDSTRIKE_INLINE void weigh(Sums& sum, const Side& i, const QuadState& q, Near&
   near.k = weight * inverse_reach * (a2 - b2) * inverse_r;
 }
 
-//! d.G d, from the symmetric part of G.
+//! d.G d, from the symmetric part of G; \p turned turns the sign of the shears that cross the plate. Two short sums are
+//! ready sooner than one long one.
+template <bool turned = false>
 BIRDSTRIKE_INLINE Floats along(const Vector& d, const Floats (&g)[6])
 {
-  return d.x * d.x * g[0] + d.y * d.y * g[1] + d.z * d.z * g[2] + d.x * d.y * g[3] + d.x * d.z * g[4] +
-         d.y * d.z * g[5];
+  const Floats stretch = d.x * d.x * g[0] + d.y * d.y * g[1] + d.z * d.z * g[2];
+  const Floats crossing = d.x * d.y * g[3] + d.x * d.z * g[4], shear = d.y * d.z * g[5];
+  return turned ? stretch + (shear - crossing) : stretch + (shear + crossing);
 }
 
 //! Half of the harmonic mean of d.G d on both sides, zero where they disagree in sign: R_ij of artificial_viscosity.h but
@@ -156,11 +159,8 @@ BIRDSTRIKE_INLINE Floats explained(const Side& i, const QuadState& q, const Vect
   Floats b;
   if constexpr (seen == Seen::in_wall)
     b = along(turned, g);
-  else if constexpr (seen == Seen::in_plate)
-    b = d.x * d.x * g[0] + d.y * d.y * g[1] + d.z * d.z * g[2] - d.x * d.y * g[3] - d.x * d.z * g[4] +
-        d.y * d.z * g[5];
   else
-    b = along(d, g);
+    b = along<seen == Seen::in_plate>(d, g);
   const Floats product = a * b;
   return product > 0.0f ? product * reciprocal(a + b) : zero;
 }
