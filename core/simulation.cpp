@@ -21,7 +21,7 @@ namespace birdstrike {
 
 namespace {
 
-constexpr double skin_over_h = 0.16; // mean skin of a particle: a fifth of a spacing
+constexpr double skin_over_h = 0.16; // mean skin of a particle at first: a fifth of a spacing
 
 double wall_clock()
 {

@@ -5,8 +5,8 @@
 #include <vtkObjectFactory.h>
 #include <vtkZLibDataCompressor.h>
 
-#include <algorithm>
 #include <memory>
+#include <new>
 
 namespace birdstrike {
 namespace {
@@ -23,6 +23,11 @@ public:
   }
 
 protected:
+  DeflateCompressor()
+  {
+    if (!compressor_)
+      throw std::bad_alloc();
+  }
   std::size_t CompressBuffer(const unsigned char* data, std::size_t size, unsigned char* compressed,
                              std::size_t space) override
   {

@@ -8,7 +8,7 @@ class vtkDataCompressor;
 
 namespace birdstrike {
 
-//! For vtkXMLWriter::SetCompressor; writes what vtkZLibDataCompressor reads.
+//! For vtkXMLWriter::SetCompressor; writes what vtkZLibDataCompressor reads, at one level whatever it is told.
 vtkSmartPointer<vtkDataCompressor> make_deflate_compressor();
 
 } // namespace birdstrike

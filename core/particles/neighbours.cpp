@@ -6,12 +6,17 @@
 
 #include <array>
 #include <limits>
+#include <utility>
 
 namespace birdstrike {
 
 namespace {
 
 constexpr int most_runs = 64; // of candidates looked through in one go
+
+// Of the first mean skin: all of the particles' and any one's. Skins wider than that could bring pairs into the lists that
+// are near only modulo 64 spacings.
+constexpr double widest_mean_skin = 3, widest_skin = 5;
 
 struct Range
 {
@@ -214,7 +219,8 @@ double Neighbours::place_quads(const Particles& p)
           const std::size_t i = begin + (used ? l : 0);
           place.x[l] = whole_x(p.x[i]), place.y[l] = whole_y(p.y[i]), place.z[l] = whole_z(p.z[i]);
           const double share = even ? 1.0 : std::clamp(speed(i) / mean_speed, 0.25, 5.0);
-          const double h = p.smoothing_length[i], reach = h + share * skin_;
+          const double h = p.smoothing_length[i],
+                       reach = h + std::min(share * skin_, widest_skin * first_skin_);
           place.support[l] = used ? static_cast<float>(h / p.spacing) : -1e30f;
           place.reach[l] = used ? static_cast<float>(reach / p.spacing) : -1e30f;
           longest = std::max(longest, reach);
@@ -366,15 +372,16 @@ void Neighbours::part_into_tasks()
 //! lists wear out fastest.
 void Neighbours::adapt_skin()
 {
-  constexpr long short_life = 10, long_life = 20;             // steps
-  constexpr double step = 1.15, narrowest = 0.75, widest = 3; // of the first skin
-  const bool may_adapt =
-      rebuilds_ > 0 && period_.y <= 0 && period_.z <= 0; // small boxes have no room for wide skins
-  if (may_adapt && steps_ < short_life)
-    skin_ = std::min(skin_ * step, widest * first_skin_);
-  else if (may_adapt && steps_ > long_life)
+  constexpr long short_life = 10, long_life = 20; // steps
+  constexpr double step = 1.15, narrowest = 0.75;
+  const bool small_box = period_.y > 0 || period_.z > 0; // has no room for wide skins
+  const long life = std::exchange(steps_, 0);
+  if (life == 0 || small_box)
+    return;
+  if (life < short_life)
+    skin_ = std::min(skin_ * step, widest_mean_skin * first_skin_);
+  else if (life > long_life)
     skin_ = std::max(skin_ / step, narrowest * first_skin_);
-  steps_ = 0;
 }
 
 void Neighbours::build(const Particles& p)

@@ -4,8 +4,6 @@
 #include "core/particles/pair_kernels.h"
 #include "core/simd.h"
 
-#include <algorithm>
-
 namespace birdstrike {
 namespace {
 
@@ -85,12 +83,13 @@ struct Largest
 //! Pairs of a partner of which at least one is nearer than the kernel reaches: what the geometry has to say.
 struct Near
 {
-  Vector d;          //!< x_i - x_j [spacings]
-  Floats r2;         //!< d.d
-  Floats open;       //!< 1 where the pair may act, 0 where something stands between; set where anything may
-  Floats inverse_r;  //!< 1 / |d|
-  Floats number;     //!< V_i V_j W
-  Floats k;          //!< a sixth of -V_i V_j (1/r) dW/dr; exactly nothing where the support does not reach j
+  Vector d;         //!< x_i - x_j [spacings]
+  Floats r2;        //!< d.d
+  Floats open;      //!< 1 where the pair may act, 0 where something stands between; set where anything may
+  Floats inverse_r; //!< 1 / |d|
+  Floats number;    //!< V_j W times the weight of i
+  Floats
+      k; //!< a sixth of -V_j (1/r) dW/dr times the weight of i; exactly nothing where the support does not reach j
   Floats push;       //!< k times all stresses [Pa]
   Floats heating;    //!< \see QuadSums
   Floats extra_work; //!< of j, \see QuadSums; set where rest densities differ
@@ -166,7 +165,7 @@ BIRDSTRIKE_INLINE Floats explained(const Side& i, const QuadState& q, const Vect
 }
 
 //! The stresses between the lanes i and the four of quad q: near.push, and what comes of them alone. Factors that all terms
-//! share are left to store().
+//! share are left out, see QuadSums.
 //! \param other  sums of the partners; null where they get none
 //! \param v      v_j - v_i; an image's own values stand at j
 template <Seen seen, bool limited, bool mixed>
@@ -206,7 +205,7 @@ BIRDSTRIKE_INLINE void find_stress(Sums& sum, QuadSums* other, const Side& i, co
   const Floats mu = k > 0.0f ? speed : zero;
   sum.mu = max(sum.mu, mu);
   if (other)
-    combine_groups(mu, other->of[QuadSums::mu], Largest());
+    combine_groups(mu, other->row(QuadSums::mu), Largest());
 }
 
 //! Force and velocity gradient of the lanes i, and all sums of their partners. As seen from j, d and v are opposite; in the
@@ -230,13 +229,13 @@ BIRDSTRIKE_INLINE void add_pairs(Sums& sum, QuadSums* other, const Side& i, cons
     if (other) {
       constexpr bool image = seen == Seen::in_plate;
       const auto turned = [](Floats a) { return image ? -a : a; };
-      add_groups({image ? fx : -fx, -fy, -fz, near.number}, other->of[QuadSums::fx]);
-      add_groups({g[0], turned(g[1]), turned(g[2]), turned(g[3])}, other->of[QuadSums::gradient]);
-      add_groups({g[4], g[5], turned(g[6]), g[7]}, other->of[QuadSums::gradient + 4]);
+      add_groups({image ? fx : -fx, -fy, -fz, near.number}, other->row(QuadSums::fx));
+      add_groups({g[0], turned(g[1]), turned(g[2]), turned(g[3])}, other->row(QuadSums::gradient));
+      add_groups({g[4], g[5], turned(g[6]), g[7]}, other->row(QuadSums::gradient + 4));
       add_groups({g[8], near.number * i.pressure, near.heating, mixed ? near.extra_work : Floats{}},
-                 other->of[QuadSums::gradient + 8]);
+                 other->row(QuadSums::gradient + 8));
       if constexpr (image)
-        combine_groups(fx, other->of[QuadSums::wall], Sum());
+        combine_groups(fx, other->row(QuadSums::wall), Sum());
     }
 }
 
@@ -462,13 +461,14 @@ void add_wall_images(Sums& total, const Side& i, const Walls& wall, const Meetin
 BIRDSTRIKE_INLINE void store(const Sums& sum, bool images, QuadSums& to, int row)
 {
   const Floats(&g)[9] = sum.gradient;
-  add_within_groups({sum.fx, sum.fy, sum.fz, sum.number}, to.of[QuadSums::fx] + row);
-  add_within_groups({g[0], g[1], g[2], g[3]}, to.of[QuadSums::gradient] + row);
-  add_within_groups({g[4], g[5], g[6], g[7]}, to.of[QuadSums::gradient + 4] + row);
-  add_within_groups({g[8], sum.pressure, sum.heating, sum.extra_work}, to.of[QuadSums::gradient + 8] + row);
+  add_within_groups({sum.fx, sum.fy, sum.fz, sum.number}, to.row(QuadSums::fx) + row);
+  add_within_groups({g[0], g[1], g[2], g[3]}, to.row(QuadSums::gradient) + row);
+  add_within_groups({g[4], g[5], g[6], g[7]}, to.row(QuadSums::gradient + 4) + row);
+  add_within_groups({g[8], sum.pressure, sum.heating, sum.extra_work}, to.row(QuadSums::gradient + 8) + row);
   if (images)
-    add_within_groups({sum.wall, sum.wall_y, sum.wall_z, Floats{}}, to.of[QuadSums::wall] + row);
-  find_largest_within_groups(sum.mu, to.of[QuadSums::mu] + row);
+    add_within_groups({sum.wall, sum.wall_y, sum.wall_z, Floats{}},
+                      to.row(QuadSums::wall) + row); // nothing to mu
+  find_largest_within_groups(sum.mu, to.row(QuadSums::mu) + row);
 }
 
 //! Partners that have the quad's rest density, or those that have not.

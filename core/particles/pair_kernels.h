@@ -12,6 +12,7 @@
 // listed pairs are nearer than 2^31 units, because quads are compact (neighbours.h).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -63,7 +64,7 @@ struct alignas(64) QuadWalls
 };
 
 //! Sums over partners, all but mu times the particle's own QuadState.weight and over the factors below, by which a pair so
-//! need not be multiplied; lengths in spacings. Rows are added to four at a time.
+//! need not be multiplied; lengths in spacings.
 struct alignas(64) QuadSums
 {
   enum Row
@@ -82,7 +83,13 @@ struct alignas(64) QuadSums
     mu, //!< largest |mu_ij| or U_ij [m/s]
     rows
   };
-  float of[rows][quad_size];
+  // They are added to four at a time.
+  static_assert(number == fx + 3 && heating == gradient + 10 && extra_work == gradient + 11 &&
+                mu == wall + 3);
+  float of[rows * quad_size];
+
+  float* row(int r) { return of + r * quad_size; }
+  double at(int r, std::size_t lane) const { return of[static_cast<std::size_t>(r * quad_size) + lane]; }
 
   static constexpr double force_factor = 6, gradient_factor = -6, heating_factor = 3, work_factor = 6;
 };

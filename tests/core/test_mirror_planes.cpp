@@ -23,7 +23,7 @@ ShellMesh wall(int elements = 9, double width = 0.3)
 
 //! Rates of particles, sorted here, with the walls of \p surface.
 Rates rates_before(Particles& p, const ContactSurface& surface, MirrorPlanes& walls,
-                   const Settings& settings = {})
+                   const Settings& settings = {}, const PairKernels& kernels = pair_kernels())
 {
   Rates rates;
   rates.resize(p.size());
@@ -31,7 +31,7 @@ Rates rates_before(Particles& p, const ContactSurface& surface, MirrorPlanes& wa
   reorder(p, std::vector<std::int32_t>(neighbours.sort(p)));
   neighbours.build(p);
   MirrorSearch(2 * p.initial_smoothing, p.spacing).find(p, surface, walls);
-  SphRates sph(settings, nullptr);
+  SphRates sph(settings, nullptr, kernels);
   for (int twice = 0; twice < 2; ++twice) // viscosity uses the gradient of the evaluation before
     sph.evaluate(p, p.vx, p.vy, p.vz, p.density, p.energy, neighbours, rates, &walls);
   return rates;
@@ -54,12 +54,14 @@ Particles shaken()
 
 TEST_CASE("a flat mesh mirrors as the flat plate does", "[contact][mirror]")
 {
+  const PairKernels* const kernels = GENERATE(from_range(available_pair_kernels()));
+  INFO(kernels->name);
   Particles of_mesh = shaken(), of_plate = of_mesh;
   const RigidPlate plate = make_rigid_plate(0.3, 0.3, thickness, 9, 9);
-  const Rates expected = samples::rates_of(of_plate, {}, &plate);
+  const Rates expected = samples::rates_of(of_plate, {}, &plate, *kernels);
   MirrorPlanes walls;
   const MeshTarget target(wall());
-  const Rates rates = rates_before(of_mesh, target.surface(), walls);
+  const Rates rates = rates_before(of_mesh, target.surface(), walls, {}, *kernels);
   REQUIRE(of_mesh.id == of_plate.id);
   double largest = 0, most_energy = 0, most_density = 0;
   for (std::size_t i = 0; i < of_mesh.size(); ++i) {

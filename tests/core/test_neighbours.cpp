@@ -131,6 +131,33 @@ TEST_CASE("free flight keeps the lists, motion against the others beyond five sk
   CHECK(list.is_stale(p));
 }
 
+TEST_CASE("skins follow how long lists last, within bounds, but not in a box that repeats", "[neighbours]")
+{
+  const double skin = 2e-4;
+  //! Pairs of quads listed after many lists that lasted so many steps each.
+  const auto listed_after = [](double first_skin, int steps, Period period) {
+    Particles p = samples::shaken_block(12, 1e-3, 7);
+    for (auto* array : {&p.vx, &p.vy, &p.vz})
+      array->assign(p.size(), 0.0);
+    Neighbours list(first_skin, period);
+    for (int build = 0; build < 40; ++build) {
+      reorder(p, std::vector<std::int32_t>(list.sort(p)));
+      list.build(p);
+      for (int step = 0; step < steps; ++step)
+        list.is_stale(p);
+    }
+    return list.partners().size();
+  };
+  const std::size_t usual = listed_after(skin, 0, {});
+  CHECK(listed_after(skin, 15, {}) == usual);
+  CHECK(listed_after(skin, 3, {}) == listed_after(3 * skin, 0, {}));
+  CHECK(listed_after(skin, 30, {}) == listed_after(0.75 * skin, 0, {}));
+  CHECK(listed_after(3 * skin, 0, {}) > 1.5 * static_cast<double>(usual));
+  CHECK(listed_after(0.75 * skin, 0, {}) < usual);
+  const Period period{14e-3, 14e-3};
+  CHECK(listed_after(skin, 3, period) == listed_after(skin, 0, period));
+}
+
 TEST_CASE("reordering moves whole particles", "[particles]")
 {
   Particles p = samples::shaken_block(5, 1e-3, 5);

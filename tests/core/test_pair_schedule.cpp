@@ -6,6 +6,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <atomic>
 
 using namespace birdstrike;
 
@@ -20,6 +21,7 @@ struct Log
 
 Log additions(const Neighbours& list, int threads)
 {
+  const int before = omp_get_max_threads();
   omp_set_num_threads(threads);
   const std::vector<Quad>& quads = list.quads();
   Log log{std::vector<std::vector<std::size_t>>(quads.size())};
@@ -28,12 +30,13 @@ Log additions(const Neighbours& list, int threads)
   list.schedule().run([&](std::size_t q) {
     for (int n = 0; n < quads[q].partners; ++n) {
       const auto partner = static_cast<std::size_t>(list.partners()[quads[q].first + n]);
-      alone = busy[partner]++ == 0 && alone;
+      if (busy[partner]++ != 0)
+        alone = false;
       log.adders[partner].push_back(q);
       --busy[partner];
     }
   });
-  omp_set_num_threads(omp_get_num_procs());
+  omp_set_num_threads(before);
   log.alone = alone;
   return log;
 }
@@ -67,5 +70,18 @@ TEST_CASE("any number of threads adds to each quad one after the other, in one o
     for (std::size_t i = 0; i < p.size(); i += 3)
       p.y[i] += 0.01 * static_cast<double>(i), p.x[i] -= 0.1 * static_cast<double>(i % 7);
     check_order(p, {});
+  }
+}
+
+TEST_CASE("a schedule serves lists of fewer and of more quads, again and again", "[pair_schedule]")
+{
+  Neighbours list(2e-4, {});
+  for (const int side : {20, 12, 3, 1, 16, 24}) {
+    Particles p = samples::shaken_block(side, 1e-3, 2);
+    reorder(p, std::vector<std::int32_t>(list.sort(p)));
+    list.build(p);
+    const Log one = additions(list, 1);
+    for (int again = 0; again < 3; ++again)
+      CHECK(additions(list, 3).adders == one.adders);
   }
 }
