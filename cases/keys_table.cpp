@@ -180,7 +180,7 @@ std::vector<Key> rows_after_target()
 
     {"series.format", number, "", false, {}, "vtu: run.pvd and a file a state, which open everywhere; packed: run.bss, one file of a twentieth of the size for this program and the ParaView plugin", SLOT(series.format), series_formats},
     {"series.precision", number, "", false, {}, "of the positions and fields that are written", SLOT(series.precision), series_precisions},
-    {"series.compression", number, "", false, {}, "of .vtu files; lzma is a fifth smaller than zlib and takes ten times as long, lz4 half larger and takes a tenth", SLOT(series.compression), series_compressions, &writes_vtu},
+    {"series.compression", number, "", false, {}, "of .vtu files; lzma is a fifth smaller than zlib and takes twenty times as long, lz4 a quarter larger and takes half as long", SLOT(series.compression), series_compressions, &writes_vtu},
     {"series.accuracy", number, "", false, within(0, 0.1), "largest error of a packed value, over the largest magnitude of its field so far; of positions, over the spacing; 0: none", SLOT(series.accuracy), nullptr, &packs},
     {"series.fields", number, "", false, {}, "fields that are written, besides part, id, pressure and displacement; all if not given", SLOT(series.fields), series_fields},
   };

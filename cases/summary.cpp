@@ -2,12 +2,14 @@
 // Scalars of a finished run.
 #include "cases/summary.h"
 
+#include "core/particles/pair_kernels.h"
 #include "core/simulation.h"
 #include "core/theory/impact_pressures.h"
 #include "core/theory/water_hammer.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <omp.h>
 
 #include <algorithm>
 #include <cmath>
@@ -150,6 +152,8 @@ std::string summary_json(const Simulation& run, const RunFacts& facts)
 
   nlohmann::ordered_json json;
   json["version"] = BIRDSTRIKE_VERSION; // of the program
+  json["instruction_set"] = pair_kernels().name;
+  json["threads"] = run.settings().threads > 0 ? run.settings().threads : omp_get_max_threads();
   json["particles"] = run.particles().size();
   json["steps"] = run.steps();
   json["wall_seconds"] = facts.wall_seconds;

@@ -7,6 +7,8 @@
 #include <benchmark/benchmark.h>
 #include <omp.h>
 
+#include <iostream>
+
 using namespace birdstrike;
 
 namespace {
@@ -86,7 +88,12 @@ int main(int argc, char** argv)
     benchmark::RegisterBenchmark((std::string("equation_of_state/") + name).c_str(), equation_of_state,
                                  make_porous_law(name, 0.1, porous_density(0.1)));
   benchmark::Initialize(&argc, argv);
-  benchmark::RunSpecifiedBenchmarks();
+  try {
+    benchmark::RunSpecifiedBenchmarks();
+  } catch (const std::exception& error) { // BIRDSTRIKE_ISA
+    std::cerr << "bench_pairs: " << error.what() << "\n";
+    return 2;
+  }
   benchmark::Shutdown();
   return 0;
 }

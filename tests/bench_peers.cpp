@@ -118,8 +118,9 @@ int main(int argc, char** argv)
   app.add_option("--threads", options.threads, "numbers of threads; default: 1 and all")
       ->delimiter(',')
       ->check(CLI::Range(1, 4096));
-  app.add_option("--steps", options.steps,
-                 "timed steps, one number or one a size; default: 500 from 2.5 mm, 100 from 1.2 mm, else 20")
+  app.add_option(
+         "--steps", options.steps,
+         "timed steps, one number or one a size; default: 500 above 2.5 mm, 100 above 1.2 mm, else 20")
       ->delimiter(',')
       ->check(CLI::Range(1, 1000000));
   app.add_flag(
@@ -135,7 +136,11 @@ int main(int argc, char** argv)
   app.add_option("--one", options.one,
                  "one run of BirdStrike at this spacing [mm] in this process, as a line of JSON")
       ->check(CLI::Range(0.3, 12.0));
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
   try {
     return run(options);
   } catch (const InputError& error) {
