@@ -134,8 +134,7 @@ BIRDSTRIKE_INLINE void weigh(Sums& sum, const Side& i, const QuadState& q, Near&
   near.k = weight * inverse_reach * (a2 - b2) * inverse_r;
 }
 
-//! d.G d, from the symmetric part of G; \p turned turns the sign of the shears that cross the plate. Two short sums are
-//! ready sooner than one long one.
+//! d.G d, from the symmetric part of G; \p turned turns the sign of the shears that cross the plate.
 template <bool turned = false>
 BIRDSTRIKE_INLINE Floats along(const Vector& d, const Floats (&g)[6])
 {

@@ -24,8 +24,9 @@ public:
     std::size_t end;   //!< of the task's pieces, ascending
     std::size_t layer; //!< ascending
   };
-  //! \param pieces   quads of the tasks
-  //! \param partners of all quads
+  //! \param pieces    quads of the tasks, those of a task together
+  //! \param plans     of the tasks; their order is that of the schedule but for the colours within a layer
+  //! \param partners  lists of all \p quads
   void build(std::vector<QuadRun> pieces, const std::vector<Plan>& plans, const std::vector<Quad>& quads,
              const std::vector<std::int32_t>& partners);
 
