@@ -122,6 +122,7 @@ Json target(const Json& s)
   add("Largest deflection", {"max_deflection"}, 1e3, "mm", at_time(number_at(t, {"max_deflection_time"})));
   add("Permanent set", {"permanent_set"}, 1e3, "mm",
       "largest mean displacement of a node over the last fifth of the run");
+  add("Still swings about it by", {"residual_amplitude"}, 1e3, "mm");
   const Json& gauges = at_path(t, {"deflections"});
   if (gauges.is_object())
     for (const auto& [name, gauge] : gauges.items())

@@ -14,7 +14,6 @@
 #include "cases/output_folder.h"
 #include "cases/place_before.h"
 #include "cases/progress.h"
-#include "cases/series_histories.h"
 #include "cases/summary.h"
 #include "cases/transducer_plot.h"
 #include "cases/transducer_report.h"
@@ -27,7 +26,6 @@
 #include "vtkio/shells_to_vtk.h"
 
 #include <fmt/format.h>
-#include <vtkTable.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
@@ -178,11 +176,6 @@ void run_and_record(const Case& parsed, const RunOptions& options, Simulation& r
   const History& frames = recorder.frame_peaks();
   for (std::size_t row = 0; row < frames.rows(); ++row)
     facts.peak_on_frames = std::max(facts.peak_on_frames, frames.at(row, 1));
-  if (run.mesh_target()) {
-    const History deflection = to_history(*histories_of_series(recorder.series().path()));
-    if (const std::size_t c = deflection.find("permanent_set"); c < deflection.columns.size())
-      facts.permanent_set = deflection.at(0, c);
-  }
   if (options.figures) {
     log.info("drawing figures");
     const auto figures_start = Clock::now();

@@ -31,7 +31,8 @@ std::string_view unit_in_summary(std::string_view path)
     if (name == pressure)
       return "Pa";
   if (path.starts_with("target.")) {
-    if (name == "max_deflection" || name == "permanent_set" || name == "initial_gap" || name == "value")
+    if (name == "max_deflection" || name == "permanent_set" || name == "residual_amplitude" ||
+        name == "initial_gap" || name == "value")
       return "m";
     if (path.starts_with("target.energy."))
       return "J";

@@ -190,7 +190,8 @@ std::string summary_json(const Simulation& run, const RunFacts& facts)
   const Shells* shells = run.mesh_target() ? run.mesh_target()->shells() : nullptr;
   json["target"] = {{"max_deflection", deflection.value},
                     {"max_deflection_time", deflection.time},
-                    {"permanent_set", facts.permanent_set},
+                    {"permanent_set", run.permanent_set().set},
+                    {"residual_amplitude", run.permanent_set().amplitude},
                     {"eroded_elements", shells ? shells->eroded() : 0},
                     {"leaked_particles", leaked_particles(run)}};
   if (run.initial_gap())
@@ -271,7 +272,7 @@ std::string summary_table(const Simulation& run, const RunFacts& facts)
   if (const Shells* shells = run.mesh_target() ? run.mesh_target()->shells() : nullptr) {
     const Peak deflection = largest_deflection(run.history());
     row("target", fmt::format("largest deflection {:.2f} mm at {:.3f} ms, permanent set {:.2f} mm",
-                              1e3 * deflection.value, 1e3 * deflection.time, 1e3 * facts.permanent_set));
+                              1e3 * deflection.value, 1e3 * deflection.time, 1e3 * run.permanent_set().set));
     row("", fmt::format(
                 "{} of {} elements eroded, plastic energy {:.4g} J, hourglass {:.2f} % of internal energy",
                 shells->eroded(), shells->mesh().elements.size(), ledger.target.plastic,

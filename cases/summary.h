@@ -19,7 +19,6 @@ struct RunFacts
   double density_factor = 1;
   std::string bird;          //!< bird_json of it; empty: nothing more is known
   double contact_time = 0;   //!< by geometry [s]
-  double permanent_set = 0;  //!< of the target, by the frames of the last fifth of the run [m]
   double peak_on_frames = 0; //!< largest pressure of the bird at the time of any frame of the series [Pa]
   std::uintmax_t series_bytes = 0;
   double figure_seconds = 0;

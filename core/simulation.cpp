@@ -125,6 +125,7 @@ struct Simulation::State
 
   History history;
   TransducerGauges transducers;
+  PermanentSet permanent_set;
   Ledger ledger;
   Shares shares;
   double time = 0;
@@ -142,7 +143,8 @@ struct Simulation::State
         sph(s, plate ? &*plate : nullptr),
         neighbours(skin_over_h * particles.initial_smoothing,
                    s.periodic ? Period{s.periodic->size_y, s.periodic->size_z} : Period{}),
-        transducers(std::move(faces), particles.spacing)
+        transducers(std::move(faces), particles.spacing),
+        permanent_set(s.end_time)
   {
     if (!mesh)
       return;
@@ -406,8 +408,10 @@ void Simulation::State::book()
     for (const Vector3& force : plate->force)
       highest = std::max(highest, force[0] / plate->element_area());
   record(history, pass.peaks(), ledger, time, step.size, highest);
-  if (mesh)
+  if (mesh) {
     record_target(history, *mesh, deflections, ledger, contact ? contact->leaked() : 0, time);
+    permanent_set.record(*mesh, time);
+  }
   transducers.record(particles, rates, time);
 }
 
@@ -458,6 +462,10 @@ const MeshTarget* Simulation::mesh_target() const { return state_->mesh ? &*stat
 const ParticleContact* Simulation::contact() const { return state_->contact ? &*state_->contact : nullptr; }
 const History& Simulation::history() const { return state_->history; }
 const History& Simulation::transducer_history() const { return state_->transducers.history(); }
+PermanentSet::Largest Simulation::permanent_set() const
+{
+  return state_->mesh ? state_->permanent_set.largest(*state_->mesh) : PermanentSet::Largest();
+}
 const Ledger& Simulation::ledger() const { return state_->ledger; }
 const Shares& Simulation::shares() const { return state_->shares; }
 const std::optional<InitialGap>& Simulation::initial_gap() const { return state_->initial_gap; }

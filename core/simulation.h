@@ -5,6 +5,7 @@
 #include "core/contact/initial_gap.h"
 #include "core/gauges/history.h"
 #include "core/gauges/ledger.h"
+#include "core/gauges/permanent_set.h"
 #include "core/gauges/target_history.h"
 #include "core/gauges/transducer.h"
 #include "core/particles/particles.h"
@@ -59,6 +60,8 @@ public:
   const History& history() const; //!< one row per step, and one at t = 0; columns in gauges/history_columns
   const History& transducer_history() const; //!< the same rows; see TransducerGauges
   const Ledger& ledger() const;              //!< mass, momentum, energy; now and at the start
+  PermanentSet::Largest
+  permanent_set() const; //!< of the target; zero where it is rigid, and before the run's last fifth
   const Shares& shares() const;
 
   double time() const;               //!< [s]

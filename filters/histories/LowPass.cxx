@@ -14,7 +14,7 @@ std::vector<double> LowPass(const std::vector<double>& times, const std::vector<
   std::vector<double> filtered;
   for (std::size_t k = 0; k < values.size(); ++k) {
     if (k == 0) {
-      filtered.push_back(0);
+      filtered.push_back(at(0));
       continue;
     }
     const double duration = times[k] - times[k - 1];

@@ -83,7 +83,7 @@ public:
   vtkBooleanMacro(PerPart, bool);
   ///@}
 
-  ///@{ 10 to 90 % rise time of the filter [s]; 0, the default, for none. It starts from zero at the first step that is
+  ///@{ 10 to 90 % rise time of the filter [s]; 0, the default, for none. It is at rest at the first step that is
   /// read: with LimitTime begin some rise times before what is looked at.
   vtkSetMacro(RiseTime, double);
   vtkGetMacro(RiseTime, double);

@@ -150,6 +150,10 @@ TEST_CASE("the main job leaves everything that it promises", "[cases][run]")
         CHECK(frames.at(title)[frame] <= written(peak));
       }
     }
+    const auto summary = nlohmann::json::parse(scratch::read(out / "summary.json"));
+    const auto& seen = frames.at("max_pressure_all[Pa]");
+    CHECK(summary.at("peak_pressure_on_frames").get<double>() ==
+          Approx(*std::max_element(seen.begin(), seen.end())).epsilon(1e-7)); // of double precision
     for (const double deflection : frames.at("max_deflection[m]"))
       CHECK(deflection == 0);
   }
@@ -235,8 +239,9 @@ TEST_CASE("a target that bends leaves its frames, histories and numbers", "[case
     CHECK(target.at("max_deflection").get<double>() == *peak);
     CHECK(target.at("max_deflection_time").get<double>() ==
           histories.at("time[s]")[std::size_t(peak - deflection.begin())]);
-    CHECK(target.at("permanent_set").get<double>() <=
-          *peak * (1 + 1.2e-7)); // still moving: the same moment, in single precision
+    CHECK(target.at("permanent_set").get<double>() > 0);
+    CHECK(target.at("permanent_set").get<double>() <= *peak);
+    CHECK(target.at("residual_amplitude").get<double>() > 0); // still moving
     CHECK(target.at("mass").get<double>() == Approx(2700 * 0.2 * 0.3 * 0.002));
     CHECK(target.at("leaked_particles") == 0);
     CHECK(target.at("eroded_elements").get<double>() == histories.at("eroded_elements[-]").back());

@@ -276,6 +276,30 @@ TEST_CASE("a structure alone moves under its loads", "[simulation][targets]")
   CHECK(s.time_step().limit == "shells");
 }
 
+TEST_CASE("the permanent set is the mean over every step of the last fifth, whatever the frames",
+          "[simulation][targets]")
+{
+  // The same fall, way (t / end)^2, has the mean (1 - 0.8^3) / (3 0.2) of its way there, and ends farthest from it.
+  const ShellMesh mesh = plate_mesh(4, 0.08);
+  ShellLoads loads;
+  loads.surfaces.push_back({.pressure = 0, .traction = {1e4, 0, 0}});
+  const double end = 1e-3, way = 1e4 / (2700 * thickness) * end * end / 2, mean = (1 - 0.512) / 0.6;
+  for (const int frames : {1, 7}) {
+    Settings settings = samples::settings_to(end);
+    settings.frames = frames;
+    settings.threads = 1;
+    Simulation s(
+        {}, {MeshTarget(Shells(mesh, {{samples::elastic(70e9, 0.3, 2700), thickness, 3}}, {}, loads)), {}},
+        settings);
+    CHECK(s.permanent_set().set == 0);
+    Observer nobody;
+    s.run(nobody);
+    // The window starts with a step, up to one of some 300 late.
+    CHECK(s.permanent_set().set == Approx(mean * way).epsilon(5e-3));
+    CHECK(s.permanent_set().amplitude == Approx((1 - mean) * way).epsilon(2e-2));
+  }
+}
+
 TEST_CASE("a bird in touch with its target, or neither of them, is refused", "[simulation][targets][errors]")
 {
   CHECK_THROWS_WITH(run(bird(-1e-3), {plate(), {}}, 1e-4),
