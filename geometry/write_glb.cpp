@@ -112,7 +112,11 @@ void write_glb(const SurfaceMesh& mesh, const std::filesystem::path& file)
   Writer writer;
   Json& json = writer.json;
   json["scene"] = 0;
-  json["scenes"] = Json::array({{{"nodes", Json::array()}}});
+  json["scenes"] = Json::array({{{"nodes", {0}}}});
+  // The root turns our up, +z, to glTF's, +y: columns of a matrix whose numbers are exact.
+  json["nodes"].push_back({{"name", "bird"},
+                           {"matrix", {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1}},
+                           {"children", Json::array()}});
   for (std::size_t p = 0; p < mesh.size(); ++p) {
     const SurfacePart& part = mesh[p];
     const int points = writer.add_vectors(part.points, true),
@@ -131,7 +135,7 @@ void write_glb(const SurfaceMesh& mesh, const std::filesystem::path& file)
                                       {"indices", indices},
                                       {"material", p}}})}});
     json["nodes"].push_back({{"name", part.name}, {"mesh", p}});
-    json["scenes"][0]["nodes"].push_back(p);
+    json["nodes"][0]["children"].push_back(p + 1);
   }
   json["buffers"] = Json::array({{{"byteLength", writer.binary.size()}}});
   std::string text = json.dump();

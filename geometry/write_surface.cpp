@@ -63,7 +63,7 @@ void print(std::string& text, const char* before, const std::array<int, 3>& t, s
 
 std::string obj(const SurfaceMesh& mesh)
 {
-  std::string text = "# BirdStrike; metres; +x nose, +y left, +z up\n";
+  std::string text = "# " + std::string(axes_line) + "\n";
   std::size_t first = 1;
   for (const SurfacePart& part : mesh) {
     std::string name = part.name; // a blank would end it
@@ -97,12 +97,11 @@ std::string off(const SurfaceMesh& mesh)
 
 std::string ply(const SurfaceMesh& mesh)
 {
-  std::string text =
-      "ply\nformat binary_little_endian 1.0\ncomment BirdStrike; metres; +x nose, +y left, +z up\n"
-      "element vertex " +
-      std::to_string(count_points(mesh)) +
-      "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
-      std::to_string(count_triangles(mesh)) + "\nproperty list uchar int vertex_indices\nend_header\n";
+  std::string text = "ply\nformat binary_little_endian 1.0\ncomment " + std::string(axes_line) +
+                     "\nelement vertex " + std::to_string(count_points(mesh)) +
+                     "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
+                     std::to_string(count_triangles(mesh)) +
+                     "\nproperty list uchar int vertex_indices\nend_header\n";
   for (const SurfacePart& part : mesh)
     for (const Vector3& p : part.points)
       put(text, p);
@@ -120,7 +119,7 @@ std::string ply(const SurfaceMesh& mesh)
 
 std::string stl(const SurfaceMesh& mesh)
 {
-  std::string text = "BirdStrike; metres; +x nose, +y left, +z up"; // must not begin with "solid"
+  std::string text(axes_line); // must not begin with "solid"
   text.resize(80, ' ');
   put(text, std::uint32_t(count_triangles(mesh)));
   for (const SurfacePart& part : mesh)

@@ -6,9 +6,13 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace birdstrike {
+
+//! Stands at the start of an .obj, .ply or .stl of ours; by it the importer knows axes, unit and place.
+inline constexpr std::string_view axes_line = "BirdStrike; metres; +x nose, +y left, +z up";
 
 std::vector<std::string> surface_formats(); //!< ".glb", ".obj", ".ply", ".stl", ".off"
 

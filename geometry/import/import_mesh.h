@@ -31,7 +31,7 @@ struct ImportedMesh
 //! Read a bird from one file or several (one STL a part, say: a part is named as in its file, else as the file's
 //! stem; parts of different files that share a name take their stems). The unit is given, or said by the file, or
 //! guessed (guess_unit.h); objects in another unit than the rest are scaled (mend_units.h); the axes are given, or
-//! found (find_axes.h). A GLB that this project wrote keeps unit, axes and place unless the options say otherwise.
+//! found (find_axes.h). A GLB, OBJ, PLY or STL that this project wrote keeps unit, axes and place unless the options say otherwise.
 //! \throw InputError naming the file, what is wrong, and the remedy: whatever read_scene (raw_scene.h) refuses, a unit
 //! that cannot be told, axes that are no directions or not perpendicular, with strict two units in one scene
 ImportedMesh import_mesh(const std::vector<std::filesystem::path>& files, const ImportOptions& options = {});

@@ -2,6 +2,7 @@
 // Polygon files into named triangles, by assimp.
 #include "core/error.h"
 #include "geometry/import/formats.h"
+#include "geometry/write_surface.h"
 
 #include <assimp/Importer.hpp>
 #include <assimp/commonMetaData.h>
@@ -32,6 +33,15 @@ std::string lower_extension(const std::filesystem::path& file)
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return char(std::tolower(c)); });
   return extension;
+}
+
+//! Whether write_surface() made the file: its first line says so, and nobody has saved it anew since.
+bool says_our_axes(const std::filesystem::path& file)
+{
+  std::string start(160, '\0');
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(start.data(), std::streamsize(start.size()));
+  return start.find(axes_line) != std::string::npos;
 }
 
 //! Names that assimp's readers invent for files without names look like <STL_BINARY> or are one of these.
@@ -231,6 +241,16 @@ RawScene read_by_assimp(const std::filesystem::path& file)
     aiString generator;
     if (scene->mMetaData && scene->mMetaData->Get(AI_METADATA_SOURCE_GENERATOR, generator))
       result.finished = std::string(generator.C_Str()).rfind("BirdStrike", 0) == 0;
+    if (result.finished) { // undo what write_glb() does for viewers
+      above = scene->mRootNode->mTransformation;
+      above.Inverse();
+      result.up = std::string("+z");
+    }
+  } else if (says_our_axes(file)) {
+    result.unit = 1;
+    result.unit_source = "its header";
+    result.up = std::string("+z");
+    result.finished = true;
   }
   collector.visit(*scene->mRootNode, above);
   return std::move(collector.result);

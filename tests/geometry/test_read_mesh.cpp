@@ -129,7 +129,9 @@ TEST_CASE("node transforms are applied and mirrored nodes stay outward", "[geome
   json.replace(json.find(node), node.size(),
                R"({"name":"wing_left","mesh":0,"translation":[0,1,0]},)"
                R"({"name":"wing_right","mesh":0,"translation":[0,-1,0],"scale":[1,-1,1]})");
-  json.replace(json.find("\"nodes\":[0]"), 11, "\"nodes\":[0,1]");
+  const std::string children = R"("children":[1])";
+  REQUIRE(json.find(children) != std::string::npos);
+  json.replace(json.find(children), children.size(), R"("children":[1,2])");
   json.resize((json.size() + 3) / 4 * 4, ' ');
   const std::uint32_t new_length = std::uint32_t(json.size()),
                       total = std::uint32_t(text.size()) + new_length - length;

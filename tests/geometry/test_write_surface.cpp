@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Surfaces written and read back: names, volumes, places; and what cannot be written.
 #include "geometry/birds/slab.h"
+#include "geometry/import/import_mesh.h"
 #include "geometry/import/read_mesh.h"
 #include "geometry/measure.h"
 #include "geometry/write_surface.h"
 #include "temporary_folder.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstring>
 
 using namespace birdstrike;
 
@@ -50,6 +55,43 @@ TEST_CASE("names, volumes and places of parts come back from GLB and OBJ", "[geo
     }
   }
   CHECK(files_in(folder / "") == 3);
+}
+
+TEST_CASE("a GLB stands upright in viewers, whose up is +y", "[geometry][write]")
+{
+  const test::TemporaryFolder folder;
+  write_surface(two_boxes(), folder / "bird.glb");
+  std::ifstream stream(folder / "bird.glb", std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(stream), {});
+  std::uint32_t length = 0;
+  std::memcpy(&length, bytes.data() + 12, 4);
+  const auto json = nlohmann::json::parse(bytes.substr(20, length));
+  REQUIRE(json["scenes"][0]["nodes"].size() == 1);
+  const auto& root = json["nodes"][json["scenes"][0]["nodes"][0].get<int>()];
+  CHECK(root["children"].size() == 2);
+  const auto column = [&](int c) {
+    return Vector3(root["matrix"][4 * c], root["matrix"][4 * c + 1], root["matrix"][4 * c + 2]);
+  };
+  CHECK(column(0) == Vector3(1, 0, 0));  // the nose stays
+  CHECK(column(1) == Vector3(0, 0, -1)); // the left wing
+  CHECK(column(2) == Vector3(0, 1, 0));  // up
+}
+
+TEST_CASE("what we write is read back as it is: no guess of unit or axes", "[geometry][write][import]")
+{
+  const test::TemporaryFolder folder;
+  const SurfaceMesh mesh = two_boxes(); // whose nose nobody could find
+  for (const char* name : {"bird.glb", "bird.obj", "bird.ply", "bird.stl"}) {
+    CAPTURE(name);
+    write_surface(mesh, folder / name);
+    const ImportedMesh back = import_mesh({folder / name}, {});
+    CHECK(back.unit == 1);
+    CHECK_FALSE(back.unit_guessed);
+    CHECK(back.warnings.empty());
+    const Box bounds = bounding_box(back.parts);
+    CHECK((bounds.lower - Vector3(0, 0, -0.05)).norm() < 1e-7);
+    CHECK((bounds.upper - Vector3(0.3, 0.8, 0.1)).norm() < 1e-7);
+  }
 }
 
 TEST_CASE("PLY, STL and OFF hold all parts as one", "[geometry][write]")
