@@ -30,6 +30,9 @@ public:
   const std::vector<Vector3d>& GetPoints() const { return this->Points; }
   const std::vector<double>& GetSmoothing() const { return this->H; }
 
+  //! Whether no other kernel reaches the particle.
+  bool IsAlone(std::size_t particle) const { return this->Scale[particle] == 1; }
+
   //! V W of a particle at a squared distance from it [-].
   double Share(std::size_t particle, double squared) const
   {

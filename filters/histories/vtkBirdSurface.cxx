@@ -66,6 +66,27 @@ vtkSmartPointer<vtkPolyData> ToPolyData(const SphSkin& skin)
   return surface;
 }
 
+//! Radius, in smoothing lengths, of the ball that a lone particle keeps at \p level of the colour function.
+double LoneRadius(double level)
+{
+  double low = 0, high = SphField::Support;
+  while (high - low > 1e-9) {
+    const double q = (low + high) / 2, a = 2 - q, b = std::max(1 - q, 0.0);
+    (0.25 * a * a * a - b * b * b > level ? low : high) = q;
+  }
+  return low;
+}
+
+//! Lone particles whose ball is so small that it may lie between the points of a lattice of \p spacing [m].
+std::size_t BetweenPoints(const SphField& field, double spacing, double level)
+{
+  const double least = std::sqrt(0.75) * spacing / LoneRadius(level);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < field.GetSmoothing().size(); ++i)
+    count += field.IsAlone(i) && field.GetSmoothing()[i] < least;
+  return count;
+}
+
 } // namespace
 
 void vtkBirdSurface::PrintSelf(ostream& os, vtkIndent indent)
@@ -246,6 +267,10 @@ bool vtkBirdSurface::MakeSurfaces(const Particles& particles, vtkMultiBlockDataS
       rows.push_back(particles.Rows[i]);
     }
     const SphField field(std::move(points), std::move(h));
+    if (const std::size_t missed = BetweenPoints(field, spacing, this->Level); missed > 0)
+      vtkWarningMacro(
+          << missed << " lone particles of " << field.GetPoints().size()
+          << " are so much smaller than the others that the grid may miss them; lower GridShare.");
     const SphSkin skin = MakeSphSkin(field, spacing, this->Level, this->MemoryLimit * 1e6);
     vtkSmartPointer<vtkPolyData> surface = ToPolyData(skin);
     arrays.Interpolate(field, rows, skin.Points, surface->GetPointData());

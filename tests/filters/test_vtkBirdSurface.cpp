@@ -283,6 +283,27 @@ TEST_CASE("particles at no finite place are left out with a message", "[filters]
   CHECK(skin->GetNumberOfCells() == whole->GetNumberOfCells());
 }
 
+TEST_CASE("lone particles that slip through the grid are told of", "[filters][surface]")
+{
+  Cloud cloud = made_ball(0.02, 0.005);
+  const auto highest = [](vtkPolyData& skin) { return skin.GetBounds()[5]; };
+  const double before = highest(*skin_of(to_data(cloud)));
+  // Ball of radius 0.527 h = 0.5 mm; the grid has 3 mm, none of whose points is there.
+  cloud.push_back({.place = {0.0015, 0.0015, 0.1015}, .h = 0.001});
+  Messages messages;
+  const auto watch = [&](vtkBirdSurface& f) { messages.watch(f); };
+  CHECK(highest(*skin_of(to_data(cloud), watch)) == before);
+  CHECK_THAT(messages.text(), Contains("1 lone particles") && Contains("lower GridShare"));
+
+  Messages fewer;
+  const auto fine = skin_of(to_data(cloud), [&](vtkBirdSurface& f) {
+    fewer.watch(f);
+    f.SetGridShare(0.1); // 0.6 mm: some point is within the ball
+  });
+  CHECK(fewer.text().empty());
+  CHECK(highest(*fine) == Approx(0.1015 + 0.527e-3).margin(0.2e-3));
+}
+
 TEST_CASE("other solvers' particles without a smoothing length take it from the spacing",
           "[filters][surface]")
 {
