@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // birdstrike series: a series in another form.
 #include "cases/commands.h"
+#include "cases/log.h"
 #include "cases/series_form.h"
 #include "core/error.h"
 #include "vtkio/series_reader.h"
@@ -36,7 +37,10 @@ bool has_field(vtkUnstructuredGrid* grid, const std::string& name)
 
 void convert(const Options& options)
 {
+  Log log(options.quiet);
   const SeriesIndex index = read_series_index(options.input);
+  if (!index.warning.empty())
+    log.warn(index.warning);
   std::error_code ignored;
   require(
       !fs::equivalent(index.pvd.parent_path().empty() ? "." : index.pvd.parent_path(), options.output,
@@ -57,9 +61,8 @@ void convert(const Options& options)
     const Frame frame = read_frame(index, step);
     writer.write_frame(frame.time, *frame.bird, frame.target);
   }
-  if (!options.quiet)
-    fmt::print("{}: {} frames, {:.1f} MB\n", writer.path().string(), writer.frames(),
-               1e-6 * static_cast<double>(writer.bytes()));
+  log.info(fmt::format("{}: {} frames, {:.1f} MB", writer.path().string(), writer.frames(),
+                       1e-6 * static_cast<double>(writer.bytes())));
 }
 
 } // namespace

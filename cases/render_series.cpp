@@ -177,6 +177,8 @@ std::vector<fs::path> render_series(const RenderOptions& options, Log& log)
           fmt::format("a film shows one scene, not {}; give one --scene, or make several films",
                       options.scenes.size()));
   SeriesFrames frames(options.series, options.bird, options.target);
+  if (!frames.index().warning.empty())
+    log.warn(frames.index().warning);
   const int cells = options.montage ? (*options.montage)[0] * (*options.montage)[1] : 0;
   const int by_default = options.film && !options.montage ? -1 : cells > 0 ? cells : 8;
   const std::vector<std::size_t> steps =

@@ -129,6 +129,8 @@ ReportView make_report_view(const std::filesystem::path& pvd, const ViewOptions&
     return view;
   }
   view.all_frames = static_cast<int>(index.steps.size());
+  if (!index.warning.empty())
+    view.gaps.push_back(index.warning + ".");
 
   std::vector<std::size_t> shown;
   std::unique_ptr<Tracks> bird, target;

@@ -39,7 +39,9 @@ vtkSmartPointer<vtkTable> histories_of_series(const std::filesystem::path& pvd,
                                               const DeflectionOptions& deflection,
                                               const std::function<void(const std::string&)>& warn)
 {
-  read_series_index(pvd); // says it better than a pipeline if the file is not there
+  // Says it better than a pipeline if the file is not there.
+  if (const std::string warning = read_series_index(pvd).warning; !warning.empty() && warn)
+    warn(warning);
   std::string complaint;
   vtkNew<vtkMaximumPressureHistory> pressure_filter;
   const auto histories = filtered(pvd, pressure_filter, complaint);

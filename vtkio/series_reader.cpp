@@ -55,7 +55,7 @@ namespace {
 
 SeriesIndex open_packed(const fs::path& file)
 {
-  SeriesIndex index{file, {}, nullptr};
+  SeriesIndex index{file, {}, nullptr, {}};
   try {
     index.packed = std::make_shared<PackedFile>(file.string());
   } catch (const std::runtime_error& error) {
@@ -63,6 +63,7 @@ SeriesIndex open_packed(const fs::path& file)
   }
   for (const double time : index.packed->Times())
     index.steps.push_back({time, {}});
+  index.warning = index.packed->Complaint();
   return index;
 }
 
@@ -106,7 +107,7 @@ SeriesIndex read_series_index(const fs::path& series)
   }
   require(!steps.empty(), pvd.string() + " lists no frames");
 
-  SeriesIndex index{pvd, {}, nullptr};
+  SeriesIndex index{pvd, {}, nullptr, {}};
   for (auto& [time, pieces] : steps)
     index.steps.push_back({time, std::move(pieces)});
   return index;

@@ -32,6 +32,7 @@ struct SeriesIndex
   std::filesystem::path pvd;          //!< or the packed series
   std::vector<SeriesStep> steps;      //!< by rising time
   std::shared_ptr<PackedFile> packed; //!< null for a .pvd
+  std::string warning{};              //!< what is wrong with it and does not matter to the steps; else empty
 
   //! The step whose time is nearest, the earlier one of two; steps must not be empty.
   std::size_t nearest(double time) const;

@@ -147,7 +147,10 @@ void WriteExactly(PackedOutput& out, const PackedArray& array)
 void WriteArray(PackedOutput& out, PackedArray& state, const std::vector<double>& values,
                 const std::vector<double>& foretold, double tolerance, bool rows)
 {
-  if (values == state.Values) {
+  // To the bit: 0 and -0 differ, a NaN is the same as itself.
+  if (values.size() == state.Values.size() &&
+      std::memcmp(values.data(), state.Values.data(), values.size() * sizeof(double)) == 0)
+  {
     out.Put(PackedMode::Same);
     return;
   }

@@ -25,7 +25,8 @@ struct PackedArray
   std::uint8_t Components = 1;
   std::int32_t Type = 11;     //!< of VTK, as VTK_DOUBLE
   std::vector<double> Values; //!< tuple after tuple
-  double Largest = 0;         //!< magnitude of any value so far; only the writer keeps it
+  double Scale =
+      0; //!< largest magnitude of a value so far, of cells' values their mean; only the writer keeps it
 
   std::size_t Tuples() const { return this->Components > 0 ? this->Values.size() / this->Components : 0; }
 };

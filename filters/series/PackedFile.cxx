@@ -10,15 +10,18 @@
 
 #include <array>
 #include <cerrno>
+#include <cstddef>
 #include <cstring>
+#include <sstream>
 #include <stdexcept>
 
 namespace {
 
-constexpr char Magic[] = "BIRDSTRIKE PACK1";
+constexpr char Magic[] = "BIRDSTRIKE PACK2";
 constexpr std::size_t MagicSize = 16;
 constexpr std::size_t KeyEvery = 64;       // frames: a jump in time reads at most so many
 constexpr std::uint64_t MostPacked = 1100; // zlib packs no tighter than 1032 to 1
+constexpr std::size_t VersionAt = 15;      // in Magic
 constexpr int Level = 4;                   // of zlib: the planes of small steps gain nothing from more
 
 struct Header
@@ -26,7 +29,19 @@ struct Header
   std::uint64_t RawSize, Size;
   double Time;
   std::uint64_t Key;
+  std::uint64_t Checksum; // of what stands before it
 };
+
+// FNV-1a, 64 bits (Fowler, Noll, Vo).
+std::uint64_t ChecksumOf(const Header& header)
+{
+  std::array<unsigned char, offsetof(Header, Checksum)> bytes;
+  std::memcpy(bytes.data(), &header, bytes.size());
+  std::uint64_t sum = 14695981039346656037u;
+  for (const unsigned char byte : bytes)
+    sum = (sum ^ byte) * 1099511628211u;
+  return sum;
+}
 
 std::string SystemReason() { return errno != 0 ? std::strerror(errno) : "the disk refused"; }
 
@@ -86,13 +101,14 @@ void PackedWriter::Write(double time, const std::vector<NamedGrid>& pieces)
       PackedState start = this->First;
       for (std::size_t p = 0; p < start.Pieces.size(); ++p)
         for (std::size_t k = 0; k < start.Pieces[p].Arrays.size(); ++k)
-          start.Pieces[p].Arrays[k].Largest = this->Last.Pieces[p].Arrays[k].Largest;
+          start.Pieces[p].Arrays[k].Scale = this->Last.Pieces[p].Arrays[k].Scale;
       this->Last = std::move(start);
     }
     raw = WriteFrame(now, this->Last, this->Accuracy, key);
   }
   const std::vector<unsigned char> packed = Pack(raw);
-  const Header header{raw.size(), packed.size(), time, key ? 1u : 0u};
+  Header header{raw.size(), packed.size(), time, key ? 1u : 0u, 0};
+  header.Checksum = ChecksumOf(header);
   errno = 0;
   if (std::fwrite(&header, 1, sizeof header, this->File) != sizeof header ||
       std::fwrite(packed.data(), 1, packed.size(), this->File) != packed.size() ||
@@ -108,26 +124,42 @@ PackedFile::PackedFile(std::string file) : Name(std::move(file)), In(this->Name,
     throw std::runtime_error("it cannot be opened: " + SystemReason());
   std::array<char, MagicSize> magic{};
   this->In.read(magic.data(), magic.size());
-  if (!this->In || std::memcmp(magic.data(), Magic, MagicSize) != 0)
+  if (!this->In || std::memcmp(magic.data(), Magic, VersionAt) != 0)
     throw std::runtime_error("it is not a packed series of BirdStrike");
+  if (magic[VersionAt] != Magic[VersionAt])
+    throw std::runtime_error(std::string("it is a packed series of form ") + magic[VersionAt] +
+                             ", and this version reads form " + Magic[VersionAt] +
+                             "; write it anew with the version that wrote it, or run again");
   this->In.seekg(0, std::ios::end);
   const auto end = static_cast<std::uint64_t>(this->In.tellg());
   std::uint64_t place = MagicSize;
-  Header header{};
-  while (place + sizeof header <= end) {
+  bool damaged = false;
+  while (place + sizeof(Header) <= end) {
+    Header header{};
     this->In.seekg(static_cast<std::streamoff>(place));
     this->In.read(reinterpret_cast<char*>(&header), sizeof header);
-    place += sizeof header;
-    if (!this->In || header.Size > end - place || header.RawSize / MostPacked > header.Size)
-      break; // cut short, or damaged: what follows cannot be trusted
-    if (!this->FrameTimes.empty() && !(header.Time > this->FrameTimes.back()))
-      break;
-    this->Entries.push_back({place, header.RawSize, header.Size, header.Key == 1});
+    const std::uint64_t data = place + sizeof header;
+    const bool rises = this->FrameTimes.empty() || header.Time > this->FrameTimes.back();
+    damaged = !this->In || header.Checksum != ChecksumOf(header) || !rises ||
+              header.RawSize / MostPacked > header.Size;
+    if (damaged || header.Size > end - data)
+      break; // damaged, or cut short: what follows cannot be trusted
+    this->Entries.push_back({data, header.RawSize, header.Size, header.Key == 1});
     this->FrameTimes.push_back(header.Time);
-    place += header.Size;
+    place = data + header.Size;
   }
+  const std::string rest = std::to_string(end - place) + " bytes";
   if (this->Entries.empty())
-    throw std::runtime_error("it has no whole frame: the run that wrote it ended before its first");
+    throw std::runtime_error(damaged ? "its first frame is damaged"
+                                     : "it has no whole frame: the run that wrote it ended before its first");
+  if (place < end) {
+    std::ostringstream text;
+    text << this->Name << ": " << this->FrameTimes.size() << " frames, up to " << this->FrameTimes.back()
+         << " s, are whole; "
+         << (damaged ? "the file is damaged after them, and its last " + rest + " cannot be read"
+                     : "the run was ended while it wrote the next, of which there are " + rest);
+    this->Rest = text.str();
+  }
   this->First = ReadFirstFrame(this->Unpack(0));
   this->State = this->First;
 }

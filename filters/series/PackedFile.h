@@ -3,9 +3,9 @@
  * A packed series on disk: a whole run in one file that only grows, so that it opens at any moment, also after the run
  * was killed.
  *
- * Layout, little-endian: 16 bytes "BIRDSTRIKE PACK1"; then frame after frame: uint64 bytes before packing, uint64
- * bytes packed, double time [s], uint64 1 for a key frame, else 0; then the packed bytes (zlib). The first frame holds
- * everything exactly. A later one holds, array by array, what has changed since the frame before (a key frame: since
+ * Layout, little-endian: 16 bytes "BIRDSTRIKE PACK2"; then frame after frame: uint64 bytes before packing, uint64
+ * bytes packed, double time [s], uint64 1 for a key frame, else 0, uint64 FNV-1a checksum of these four; then the packed
+ * bytes (zlib, which has a checksum of its own). The first frame holds everything exactly. A later one holds, array by array, what has changed since the frame before (a key frame: since
  * the first) beyond a tolerance; points are foretold by velocities. A frame that is cut short is absent.
  */
 #pragma once
@@ -57,6 +57,10 @@ public:
 
   const std::vector<double>& Times() const { return this->FrameTimes; } //!< [s], rising
 
+  //! What the file has after its last whole frame, a frame that was cut short, or damage and all behind it, in words
+  //! for a warning; empty if there is nothing.
+  const std::string& Complaint() const { return this->Rest; }
+
   //! Fast for the frame after the one read last; others need those since the key frame before.
   //! \throw std::runtime_error if the file is damaged there
   std::vector<NamedGrid> Read(std::size_t frame);
@@ -73,6 +77,7 @@ private:
   std::ifstream In;
   std::vector<Entry> Entries;
   std::vector<double> FrameTimes;
+  std::string Rest; // Complaint
   PackedState First, State;
   std::size_t At = 0; //!< the frame that State is
 };

@@ -52,14 +52,21 @@ double ToleranceOf(const PackedState& state, const PackedArray& array, double ac
 {
   if (array.Where == Place::FieldData)
     return 0;
-  return accuracy * (array.Where == Place::Points ? LengthOf(state, array) : array.Largest);
+  return accuracy * (array.Where == Place::Points ? LengthOf(state, array) : array.Scale);
 }
 
-void KeepLargest(PackedArray& array, const std::vector<double>& values)
+void KeepScale(PackedArray& array, const std::vector<double>& values)
 {
+  double largest = 0, sum = 0;
   for (const double value : values)
-    if (std::isfinite(value))
-      array.Largest = std::max(array.Largest, std::abs(value));
+    if (std::isfinite(value)) {
+      largest = std::max(largest, std::abs(value));
+      sum += std::abs(value);
+    }
+  const double scale = array.Where == Place::CellData
+                           ? sum / static_cast<double>(std::max<std::size_t>(values.size(), 1))
+                           : largest;
+  array.Scale = std::max(array.Scale, scale);
 }
 
 void CheckPiece(const PackedPiece& now, const PackedPiece& before)
@@ -168,7 +175,7 @@ std::vector<unsigned char> WriteFrame(const PackedState& now, PackedState& state
     for (std::size_t k = 0; k < piece.Arrays.size(); ++k) {
       PackedArray& array = piece.Arrays[k];
       const std::vector<double>& values = now.Pieces[p].Arrays[k].Values;
-      KeepLargest(array, values);
+      KeepScale(array, values);
       const std::vector<double> foretold = array.Where == Place::Points && !key
                                                ? ForetellPoints(piece, array.Values, velocityBefore, step)
                                                : std::vector<double>();

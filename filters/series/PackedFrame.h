@@ -37,7 +37,8 @@ std::vector<unsigned char> WriteFirstFrame(const PackedState& first);
  * Bytes of a later frame.
  * \param now       what is to be written: the same pieces and arrays as in \p state, with as many values
  * \param state     how the frame before comes back, or for a \p key frame the first one; on return, how this one does
- * \param accuracy  largest error of a value, as a share of the largest magnitude that its array had so far; of the
+ * \param accuracy  largest error of a value, as a share of the largest magnitude that its array had so far; in cells of
+ *                  the largest mean magnitude, so that sums over the cells, as of impulses, are as exact; of the
  *                  points, as a share of the particles' spacing (field array "spacing"), or without one of 1 % of the
  *                  size of the piece
  * \throw std::runtime_error if pieces or arrays have changed

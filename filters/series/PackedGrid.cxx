@@ -13,6 +13,8 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 using Place = PackedArray::Place;
@@ -30,6 +32,14 @@ PackedArray FromArray(vtkDataArray* data, Place where)
   for (vtkIdType i = 0; i < data->GetNumberOfTuples(); ++i)
     for (int c = 0; c < data->GetNumberOfComponents(); ++c)
       array.Values.push_back(data->GetComponent(i, c));
+  // Values are kept as doubles, whose whole numbers end there.
+  constexpr double most = 1LL << 53;
+  const bool whole = array.Type != VTK_DOUBLE && array.Type != VTK_FLOAT;
+  if (whole && std::any_of(array.Values.begin(), array.Values.end(),
+                           [](double value) { return std::abs(value) >= most; }))
+    throw std::runtime_error("the array \"" + array.Name +
+                             "\" has whole numbers beyond 2^53, which a packed series cannot hold exactly; "
+                             "leave it out of series.fields, or write another format");
   return array;
 }
 

@@ -59,6 +59,8 @@ int vtkPackedSeriesReader::RequestInformation(vtkInformation*, vtkInformationVec
       vtkErrorMacro("Cannot read " << this->FileName << ": " << error.what() << ".");
       return 0;
     }
+    if (!this->File->Complaint().empty())
+      vtkWarningMacro(<< this->File->Complaint() << ".");
   }
   const std::vector<double>& times = this->File->Times();
   const double range[2] = {times.front(), times.back()};
