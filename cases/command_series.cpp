@@ -47,19 +47,35 @@ void convert(const Options& options)
                       ignored),
       fmt::format("{}: the series would be written over the one that is read; choose another folder with -o",
                   options.output.string()));
+  for (const char* own : {"summary.json", "case.toml"})
+    require(!fs::exists(options.output / own, ignored),
+            fmt::format("{}: the folder holds a run ({}), whose frames would be lost; choose another with -o",
+                        options.output.string(), own));
   const Frame first = read_frame(index, 0); // before anything is touched on the disk
-  require(first.bird != nullptr, fmt::format("{}: there is no bird in this series", index.pvd.string()));
+  require(
+      first.bird != nullptr,
+      fmt::format("{}: there is no bird in this series: no piece of its first frame has the name \"bird\"",
+                  index.pvd.string()));
   for (const std::string& field : options.form.fields)
     require(has_field(first.bird, field) || has_field(first.target, field),
             fmt::format("--fields {}: the series of {} does not have it; leave it out", field,
                         index.pvd.string()));
   SeriesWriter writer(options.output, series_options(options.form));
   const std::size_t last = index.steps.size() - 1, every = static_cast<std::size_t>(options.every);
-  for (std::size_t step = 0; step <= last; ++step) {
-    if (step % every != 0 && step != last)
-      continue;
-    const Frame frame = read_frame(index, step);
-    writer.write_frame(frame.time, *frame.bird, frame.target);
+  try {
+    for (std::size_t step = 0; step <= last; ++step) {
+      if (step % every != 0 && step != last)
+        continue;
+      const Frame frame = read_frame(index, step);
+      require(frame.bird != nullptr, fmt::format("{}: the frame at {:g} s has no bird, and others have one; "
+                                                 "write the run's series anew",
+                                                 index.pvd.string(), frame.time));
+      writer.write_frame(frame.time, *frame.bird, frame.target);
+    }
+    writer.finish();
+  } catch (...) { // half a series would look like a whole one
+    writer.discard();
+    throw;
   }
   log.info(fmt::format("{}: {} frames, {:.1f} MB", writer.path().string(), writer.frames(),
                        1e-6 * static_cast<double>(writer.bytes())));

@@ -82,7 +82,11 @@ public:
     check_balance(run);
   }
 
-  void finish() { progress_.finish(); }
+  void finish()
+  {
+    progress_.finish();
+    series_.finish();
+  }
   const SeriesWriter& series() const { return series_; }
 
   //! What the frames show of the maximum pressure.

@@ -15,6 +15,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string_view>
+#include <vector>
 
 namespace birdstrike {
 
@@ -22,11 +24,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr std::size_t always_listed = 1000; // frames
+
 // Of one of our own frames, whole or half written: bird_0012.vtu, target_0003.vtu.tmp
-bool is_frame(const std::string& name)
+bool is_frame(std::string_view name)
 {
-  return (name.starts_with("bird_") || name.starts_with("target_")) &&
-         (name.ends_with(".vtu") || name.ends_with(".vtu.tmp"));
+  for (const std::string_view start : {"bird_", "target_"})
+    for (const std::string_view end : {".vtu", ".vtu.tmp"})
+      if (name.size() > start.size() + end.size() && name.starts_with(start) && name.ends_with(end)) {
+        const std::string_view number = name.substr(start.size(), name.size() - start.size() - end.size());
+        if (number.find_first_not_of("0123456789") == std::string_view::npos)
+          return true;
+      }
+  return false;
 }
 
 // An older run's frames would stay behind a shorter new series, so they go; the index goes first, so that no
@@ -41,11 +51,19 @@ void remove_old_series(const fs::path& folder)
   }
   if (!fs::exists(folder / "frames", error))
     return;
+  const auto check = [&] {
+    if (error)
+      throw OutputError("cannot clear the folder " + (folder / "frames").string() + ": " + error.message());
+  };
+  std::vector<fs::path> old;
   for (const auto& entry : fs::directory_iterator(folder / "frames", error))
     if (is_frame(entry.path().filename().string()))
-      fs::remove(entry.path(), error);
-  if (error)
-    throw OutputError("cannot clear the folder " + (folder / "frames").string() + ": " + error.message());
+      old.push_back(entry.path());
+  check();
+  for (const fs::path& file : old) {
+    fs::remove(file, error);
+    check();
+  }
 }
 
 } // namespace
@@ -64,7 +82,31 @@ SeriesWriter::SeriesWriter(fs::path folder, SeriesOptions options)
   }
 }
 
-SeriesWriter::~SeriesWriter() = default;
+SeriesWriter::~SeriesWriter()
+{
+  try {
+    finish();
+  } catch (const std::exception&) { // somebody who wants to know calls finish()
+  }
+}
+
+void SeriesWriter::finish()
+{
+  if (!options_.vtu || listed_ == frames_)
+    return;
+  write_text_atomically(folder_ / "run.pvd",
+                        "<?xml version=\"1.0\"?>\n"
+                        "<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n" +
+                            entries_ + "  </Collection>\n</VTKFile>\n");
+  listed_ = frames_;
+}
+
+void SeriesWriter::discard()
+{
+  packed_.reset();
+  remove_old_series(folder_);
+  listed_ = frames_;
+}
 
 void SeriesWriter::write_frame(double time, vtkUnstructuredGrid& bird, vtkUnstructuredGrid* target)
 {
@@ -77,6 +119,10 @@ void SeriesWriter::write_frame(double time, vtkUnstructuredGrid& bird, vtkUnstru
   if (packed_)
     write_packed_frame(time, *thin_bird, thin_target);
   ++frames_;
+  // Only now, with all its files whole, does the frame count. Of very many, some are listed together: the whole index is
+  // written each time.
+  if (frames_ - listed_ > frames_ / (always_listed + 1))
+    finish();
 }
 
 void SeriesWriter::write_vtu_frame(double time, vtkUnstructuredGrid& bird, vtkUnstructuredGrid* target)
@@ -103,11 +149,6 @@ void SeriesWriter::write_vtu_frame(double time, vtkUnstructuredGrid& bird, vtkUn
     }
     entries += entry("target", 1, target_piece_);
   }
-  // Only now, with all its files whole, does the frame count.
-  write_text_atomically(folder_ / "run.pvd",
-                        "<?xml version=\"1.0\"?>\n"
-                        "<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n" +
-                            entries_ + entries + "  </Collection>\n</VTKFile>\n");
   entries_ += entries;
   bytes_ += bytes;
 }

@@ -17,7 +17,7 @@ class vtkUnstructuredGrid;
 namespace birdstrike {
 
 //! Writes folder/frames/bird_0000.vtu, target_0000.vtu, ... and folder/run.pvd, which lists only complete
-//! frames. Every file is written under a temporary name and then renamed. While a target does not change, frames share
+//! frames: at once, or beyond a thousand of them every so many, and all at the end. Every file is written under a temporary name and then renamed. While a target does not change, frames share
 //! the file of the first that shows it so. Or, or besides, folder/run.bss, which only grows: a frame that a kill cuts
 //! short is passed over by its reader.
 class SeriesWriter
@@ -35,6 +35,14 @@ public:
   //! \throw OutputError naming the file and the reason
   void write_frame(double time, vtkUnstructuredGrid& bird, vtkUnstructuredGrid* target = nullptr);
 
+  //! List all frames in run.pvd. The destructor does so, too, and keeps to itself if it cannot.
+  //! \throw OutputError naming the file and the reason
+  void finish();
+
+  //! Take back all that was written; nothing may be added any more.
+  //! \throw OutputError naming the file and the reason
+  void discard();
+
   std::size_t frames() const { return frames_; }  //!< written so far
   std::uintmax_t bytes() const { return bytes_; } //!< size of all frames written so far
   //! What opens the series: run.pvd, or run.bss where there is no other.
@@ -50,7 +58,7 @@ private:
   vtkSmartPointer<vtkUnstructuredGrid> target_; //!< as it was written last,
   std::string target_piece_;                    //!< and where
   std::string entries_;                         //!< the DataSet elements of run.pvd so far
-  std::size_t frames_ = 0;
+  std::size_t frames_ = 0, listed_ = 0; //!< the second in run.pvd
   std::uintmax_t bytes_ = 0;
 };
 
