@@ -340,7 +340,8 @@ void ParticleContact::push(std::size_t row, const Moment& now, std::span<Touch> 
       for (std::size_t n = 0; n < 4; ++n)
         inverse_mass +=
             touch.weight[n] * touch.weight[n] / now.surface.mass[static_cast<std::size_t>(element[n])];
-      double viscous = settings_.friction * std::max(touch.force, 0.0) /
+      // The spring's own force, not that which holds the energy over slight folds: that may be many times the whole.
+      double viscous = settings_.friction * touch.share * touch.spring.force /
                        std::sqrt(slip.squaredNorm() + settings_.friction_speed * settings_.friction_speed);
       // A step must not turn the slip round; the first is not known yet, but no longer than the spring allows.
       const double step =
@@ -357,7 +358,9 @@ void ParticleContact::push(std::size_t row, const Moment& now, std::span<Touch> 
                                   0.5 * std::abs(touch.distance));
     const double hardest = touch.share * contact_spring(stiffness_of(touch), touch.reach, ahead).stiffness;
     stiffness += hardest;
-    found.contacts.push_back({touch.element, touch.weight, force, std::abs(force.dot(touch.face)), hardest});
+    // Of feet over a slight fold one may pull as hard as the other pushes too much: each with its sign.
+    found.contacts.push_back(
+        {touch.element, touch.weight, force, std::copysign(force.dot(touch.face), touch.force), hardest});
     if (touch.force > strongest) {
       strongest = touch.force;
       last_element_[row] = touch.element;
