@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/fields.h"
+#include "core/types.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -38,6 +39,16 @@ inline void add_field_value(vtkFieldData& data, const char* name, double value)
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetName(name);
   array->InsertNextValue(value);
+  data.AddArray(array);
+}
+
+//! The same of a vector.
+inline void add_field_vector(vtkFieldData& data, const char* name, const Vector3& value)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(3);
+  array->InsertNextTuple(value.data());
   data.AddArray(array);
 }
 

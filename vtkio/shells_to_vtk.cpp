@@ -100,6 +100,11 @@ vtkSmartPointer<vtkUnstructuredGrid> mesh_target_to_vtk(const MeshTarget& target
     for (const std::uint8_t gone : shells->gone)
       hidden->InsertNextValue(gone ? vtkDataSetAttributes::HIDDENCELL : 0);
     grid->GetCellData()->AddArray(hidden);
+    if (const std::optional<SteadySpin>& spin = shells->settings().spin)
+    { // which the displacements leave out
+      add_field_vector(*grid->GetFieldData(), "spin_centre", spin->centre);
+      add_field_vector(*grid->GetFieldData(), "spin_velocity", spin->velocity);
+    }
   }
   if (!target.shells()) { // shells have it among their fields
     auto thickness = vtkSmartPointer<vtkDoubleArray>::New();

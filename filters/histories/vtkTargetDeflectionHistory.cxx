@@ -4,6 +4,7 @@
 
 #include "HiddenCells.h"
 #include "LineOnTarget.h"
+#include "SteadyTurn.h"
 #include "TrailingMean.h"
 
 #include "vtkDataArray.h"
@@ -139,7 +140,7 @@ double vtkTargetDeflectionHistory::Along(const Vector& u) const
 }
 
 // Fills Now, which has no counts if there is no target at this step.
-bool vtkTargetDeflectionHistory::Gather(const std::vector<vtkDataSet*>& leaves)
+bool vtkTargetDeflectionHistory::Gather(double time, const std::vector<vtkDataSet*>& leaves)
 {
   this->Now = State();
   for (vtkDataSet* leaf : leaves) {
@@ -164,10 +165,13 @@ bool vtkTargetDeflectionHistory::Gather(const std::vector<vtkDataSet*>& leaves)
         this->IgnoreErodedCells ? HiddenPoints(leaf, this->ErodedArrayName) : std::vector<bool>();
     this->Now.Counts.push_back(static_cast<std::size_t>(count));
     this->Now.Leaves.push_back(leaf);
+    const SteadyTurn turn(leaf);
     for (vtkIdType i = 0; i < count; ++i) {
       Vector u{}, place{};
       displacement->GetTuple(i, u.data());
       leaf->GetPoint(i, place.data());
+      if (this->PointsMove)
+        place = turn.Back(place, time);
       for (std::size_t k = 0; this->PointsMove && k < 3; ++k)
         place[k] -= u[k];
       const bool there = hidden.empty() || !hidden[static_cast<std::size_t>(i)];
@@ -227,7 +231,7 @@ bool vtkTargetDeflectionHistory::AddTimeStep(double time, const std::vector<vtkD
     this->Trailing->Start(this->GetTimes().empty() ? std::vector<double>{time} : this->GetTimes(),
                           this->WindowShare);
   }
-  if (!this->Gather(leaves))
+  if (!this->Gather(time, leaves))
     return false;
   const bool there = !this->Now.Counts.empty();
   if (there)

@@ -40,6 +40,9 @@
  * target yet, a chosen point that has eroded, a set of a point that was not there in the whole last part, an
  * amplitude from a single step. NaN displacements are skipped.
  *
+ * A target that turns steadily has displacements without its turning: places before the load then come from the field
+ * arrays "spin_centre" [m] and "spin_velocity" [rad/s] and the time since the start.
+ *
  * Points are followed by their row. If the number of points changes from one step to another, a warning says
  * so; chosen points and the line have NaN from there on, and there is no permanent set.
  *
@@ -170,7 +173,7 @@ private:
   };
 
   bool CheckProperties();
-  bool Gather(const std::vector<vtkDataSet*>& leaves);
+  bool Gather(double time, const std::vector<vtkDataSet*>& leaves);
   void FindNearest();
   void CheckCounts(double time);
   double Along(const Vector& u) const;

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTargetDeflectionHistory.h"
 
+#include "core/mesh_target.h"
 #include "tests/filters/made_series.h"
+#include "vtkio/shells_to_vtk.h"
 #include "vtkio/vtk_errors.h"
 
+#include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkUnstructuredGrid.h>
 
 #include <cmath>
 #include <limits>
@@ -230,4 +234,76 @@ TEST_CASE("a line along an edge goes on where an element beside it has eroded", 
   filter->Update();
   for (vtkIdType k = 0; k < 4; ++k)
     CHECK(value(*filter->GetOutput(1), k, "deflection_at_1s[m]") == Approx(0.1));
+}
+
+TEST_CASE("places before the load are those before a spinning target turned", "[filters][deflection]")
+{
+  constexpr double rate = 700, centre_y = 0.2, centre_z = -0.9; // [rad/s], about x through there
+  vtkNew<MadeSeries> source;
+  source->Times = {0, 0.001, 0.002};
+  source->Make = [&](double t) -> vtkSmartPointer<vtkDataObject> {
+    auto plate = made_plate(t, 0.2, true);
+    for (vtkIdType i = 0; i < plate->GetNumberOfPoints(); ++i) {
+      double p[3];
+      plate->GetPoint(i, p);
+      const double y = p[1] - centre_y, z = p[2] - centre_z, c = std::cos(rate * t), s = std::sin(rate * t);
+      plate->GetPoints()->SetPoint(i, p[0], centre_y + c * y - s * z, centre_z + s * y + c * z);
+    }
+    for (const auto& [name, values] : {std::pair("spin_centre", std::array{5.0, centre_y, centre_z}),
+                                       std::pair("spin_velocity", std::array{rate, 0.0, 0.0})})
+    {
+      vtkNew<vtkDoubleArray> array;
+      array->SetName(name);
+      array->SetNumberOfComponents(3);
+      array->InsertNextTuple(values.data());
+      plate->GetFieldData()->AddArray(array);
+    }
+    return plate;
+  };
+  vtkNew<vtkTargetDeflectionHistory> filter;
+  filter->SetInputConnection(source->GetOutputPort());
+  filter->AddPoint(0, -0.1, 0.3, "mine");
+  filter->SetLimitTime(true);
+  filter->SetStartTime(0.001); // points are looked for in a target that has turned already
+  filter->SetEndTime(1);
+  filter->Update();
+  vtkTable& table = *filter->GetOutput();
+  REQUIRE(table.GetNumberOfRows() == 2);
+  for (int row = 0; row < 2; ++row) {
+    CHECK(value(table, row, "x[m]") == Approx(0).margin(1e-12));
+    CHECK(value(table, row, "y[m]") == Approx(0.2));
+    CHECK(value(table, row, "z[m]") == Approx(0).margin(1e-12));
+  }
+  CHECK(value(table, 0, "mesh_point_at_mine") == 8 * 11 + 4);
+  CHECK(value(table, 0, "distance_at_mine[m]") == Approx(0).margin(1e-12));
+}
+
+TEST_CASE("a frame of a spinning target gives the places before it turned", "[filters][deflection]")
+{
+  using namespace birdstrike;
+  ShellMesh mesh;
+  mesh.points = {{0.1, 0.2, 0}, {0.1, 0.3, 0}, {0, 0.3, 0.1}, {0, 0.2, 0.1}};
+  mesh.elements = {{0, 1, 2, 3}};
+  mesh.parts = {{"blade", 0.002}};
+  ShellMaterial material;
+  material.density = 2700;
+  material.young = 70e9;
+  material.poisson = 0.3;
+  ShellSettings settings;
+  settings.spin = SteadySpin{{0.3, -0.1, 0.2}, {300, -500, 800}};
+  MeshTarget target(Shells(mesh, {{material, 0.002, 3}}, {}, {}, settings));
+  const Vector3 start = target.position(2);
+  constexpr double time = 1.3e-3;
+  const double rate = settings.spin->velocity.norm();
+  const Eigen::AngleAxisd turn(rate * time, settings.spin->velocity / rate);
+  for (Vector3& p : target.shells()->position)
+    p = turn * (p - settings.spin->centre) + settings.spin->centre;
+  target.shells()->position[2] += turn * Vector3(1e-3, 2e-3, 0); // and bends
+  vtkNew<vtkTargetDeflectionHistory> filter;
+  filter->SetInputDataObject(mesh_target_to_vtk(target, time));
+  filter->Update();
+  vtkTable& table = *filter->GetOutput();
+  CHECK(value(table, 0, "max_deflection[m]") == Approx(std::sqrt(5.0) * 1e-3));
+  CHECK((Vector3(value(table, 0, "x[m]"), value(table, 0, "y[m]"), value(table, 0, "z[m]")) - start).norm() <
+        1e-12);
 }

@@ -187,4 +187,7 @@ TEST_CASE("the displacement of a spinning target leaves its turning out", "[shel
   const auto grid = mesh_target_to_vtk(target, angle / 1000);
   CHECK(grid->GetPoint(0)[1] == target.shells()->position[0][1]); // drawn where it is
   CHECK(grid->GetPointData()->GetArray("displacement")->GetMaxNorm() < 1e-15);
+  // What is needed to find the places before it turned.
+  REQUIRE(grid->GetFieldData()->GetArray("spin_centre"));
+  CHECK(grid->GetFieldData()->GetArray("spin_velocity")->GetComponent(0, 0) == 1000);
 }
