@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A packed series in ParaView: opened by its ending, whole and cut short, and read by the filters as run.pvd is."""
+import bisect
 import pathlib
+import struct
 import unittest
 
 import in_paraview as pv
@@ -41,6 +43,21 @@ def tearDownModule():
     keep.cleanup()
 
 
+def ends_of_frames(series):
+    """Where in its file each frame of a packed series ends: 16 bytes, then frames of 40 bytes, which tell the bytes behind them."""
+    place, ends = 16, []
+    while place < len(series):
+        place += 40 + struct.unpack_from("<QQ", series, place)[1]
+        ends.append(place)
+    return ends
+
+
+def times_and_pressures(path):
+    packed = simple.OpenDataFile(str(path))
+    packed.UpdatePipeline()
+    return list(packed.TimestepValues), pv.table(MaximumPressureHistory(Input=packed))["max_pressure_all[Pa]"]
+
+
 class PackedSeries(unittest.TestCase):
     def test_the_filters_see_the_same_run(self):
         packed, series = simple.OpenDataFile(str(run / "run.bss")), pv.open_series(run / "run.pvd")
@@ -65,14 +82,16 @@ class PackedSeries(unittest.TestCase):
 
     def test_a_run_that_was_killed(self):
         whole = (run / "run.bss").read_bytes()
-        cut = run / "cut.bss"
-        cut.write_bytes(whole[:len(whole) // 2])
-        packed = simple.OpenDataFile(str(cut))
-        packed.UpdatePipeline()
-        self.assertGreater(len(packed.TimestepValues), 10)
-        self.assertLess(len(packed.TimestepValues), 80)
-        self.assertEqual(len(pv.table(MaximumPressureHistory(Input=packed))["max_pressure_all[Pa]"]),
-                         len(packed.TimestepValues))
+        ends = ends_of_frames(whole)
+        self.assertEqual((len(ends), ends[-1]), (81, len(whole)))
+        times = list(pv.open_series(run / "run.pvd").TimestepValues)
+        pressures = times_and_pressures(run / "run.bss")[1]
+        # Cut in a frame, at a frame's end, a byte before it, and within the next frame's header.
+        half = bisect.bisect_right(ends, len(whole) // 2)
+        for k, (size, frames) in enumerate(((len(whole) // 2, half), (ends[29], 30), (ends[29] - 1, 29), (ends[29] + 9, 30))):
+            cut = run / f"cut{k}.bss"
+            cut.write_bytes(whole[:size])
+            self.assertEqual(times_and_pressures(cut), (times[:frames], pressures[:frames]))
 
 
 unittest.main(argv=["test_packed_series"])
