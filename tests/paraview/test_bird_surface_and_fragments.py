@@ -38,12 +38,10 @@ with t.folder() as folder:
     series.UpdatePipeline(last)
 
     # Fragments: names by default are those of our runs, also after Apply.
-    fragments = Fragments(Input=series)
-    for name, array in (("MassArrayName", "mass"), ("VelocityArrayName", "velocity"), ("ErodedArrayName", "eroded"),
-                        ("ThicknessArrayName", "thickness"), ("SmoothingLengthArrayName", "smoothing_length")):
-        assert fragments.GetPropertyValue(name) == array, (name, fragments.GetPropertyValue(name))
-    fragments.GetProperty("Density").SetElement(0, 2780)
-    fragments.SMProxy.UpdateVTKObjects()
+    fragments = Fragments(Input=series, TargetDensity=2780)
+    for name, array in (("MassArray", "mass"), ("VelocityArray", "velocity"), ("ErodedArray", "eroded"),
+                        ("ThicknessArray", "thickness"), ("SmoothingLengthArray", "smoothing_length")):
+        assert getattr(fragments, name) == array, (name, getattr(fragments, name))
     fragments.UpdatePipeline(last)
     table = t.table(fragments, 1)
     bird = [k for k, name in enumerate(table["dataset"]) if name == "bird"]
@@ -79,7 +77,6 @@ with t.folder() as folder:
     volume = numpy.einsum("ij,ij->i", a, numpy.cross(b, c)).sum() / 6
     filled = particles.GetNumberOfPoints() * 0.005**3  # the radius is only some four spacings
     assert abs(volume / filled - 1) < 0.08, volume / filled
-    skin.GetProperty("SurfacePerPart").SetElement(0, 1)
-    skin.SMProxy.UpdateVTKObjects()
+    skin.SurfacePerPart = 1
     parts = t.data_at(skin, last)
     assert parts.GetNumberOfBlocks() == 1 and parts.GetMetaData(0).Get(parts.NAME()) == "body"

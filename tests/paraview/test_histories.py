@@ -6,6 +6,10 @@ import pathlib
 import unittest
 
 import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
+from vtkmodules.vtkCommonDataModel import VTK_QUAD, vtkUnstructuredGrid
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
 import in_paraview as pv
 
@@ -77,6 +81,33 @@ def at_frames(column):
     rows = [int(numpy.argmin(abs(times - time))) for time in frames["time[s]"]]
     assert all(abs(times[row] - time) < 1e-12 for row, time in zip(rows, frames["time[s]"]))
     return [steps[column][row] for row in rows]
+
+
+def foreign_series():
+    """Four nodes with a cell at two times, as another solver might write them."""
+    base = pathlib.Path(keep.name)
+    lines = []
+    for step in (0, 1):
+        grid = vtkUnstructuredGrid()
+        points = vtkPoints()
+        cell = vtkIdList()
+        for place in ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)):
+            cell.InsertNextId(points.InsertNextPoint(place))
+        grid.SetPoints(points)
+        grid.InsertNextCell(VTK_QUAD, cell)
+        for name, values in (("Mass", [2, 2, 2, 2]), ("Stress", [0, 1, 2, 3]), ("Deflection", [(7, 0, 0)] * 4),
+                             ("Load", [(5, 0, 0)] * 4)):
+            array = numpy_to_vtk(numpy.array(values, float), deep=1)
+            array.SetName(name)
+            grid.GetPointData().AddArray(array)
+        writer = vtkXMLUnstructuredGridWriter()
+        writer.SetFileName(str(base / f"foreign{step}.vtu"))
+        writer.SetInputData(grid)
+        writer.Write()
+        lines.append(f'<DataSet timestep="{step}" file="foreign{step}.vtu"/>')
+    (base / "foreign.pvd").write_text('<?xml version="1.0"?><VTKFile type="Collection" version="0.1"><Collection>' +
+                                      "".join(lines) + "</Collection></VTKFile>")
+    return pv.open_series(base / "foreign.pvd")
 
 
 class Histories(unittest.TestCase):
@@ -241,18 +272,48 @@ class Histories(unittest.TestCase):
             output = algorithm.GetOutputDataObject(0)
             self.assertGreater(output.GetNumberOfElements(6 if make is MaximumPressureHistory else 0), 0)
 
+    def test_names_in_python(self):
+        # ParaView makes them of the panels' labels: those are words alone, the property's own ones.
+        for make in (MaximumPressureHistory, TargetDeflectionHistory, ContactForceandImpulseHistory, PeakOverTime,
+                     BirdSurface, Fragments):
+            source = make(Input=series)
+            for name in source.ListProperties():
+                own = source.GetProperty(name).SMProperty.GetXMLName()
+                own = own[:-len("Name")] if own.endswith("ArrayName") else own
+                self.assertEqual(name, {"Density": "TargetDensity"}.get(own, own))
+
     def test_array_that_is_not_there(self):
-        for make, name in ((MaximumPressureHistory, "PressureArray"), (TargetDeflectionHistory, "DisplacementArray"),
-                           (ContactForceandImpulseHistory, "ForceArray")):
-            history = make(Input=series)
-            setattr(history, name, "nothing")
-            with pv.Messages(history) as said:
-                self.assertEqual(pv.table(history), {})
-            self.assertIn("'nothing' at any of its 13 time steps", str(said))
-        peaks = PeakOverTime(Input=series, Array="nothing")
+        # Another solver's series has arrays of the right kind under other names. Nothing but the user may choose one of them.
+        foreign = foreign_series()
+        for make, name, array in ((MaximumPressureHistory, "PressureArray", "pressure"),
+                                  (TargetDeflectionHistory, "DisplacementArray", "displacement"),
+                                  (ContactForceandImpulseHistory, "ForceArray", "contact_force")):
+            for chosen in (array, "nothing"):
+                history = make(Input=foreign)
+                if chosen != array:
+                    setattr(history, name, chosen)
+                with pv.Messages(history) as said:
+                    self.assertEqual(pv.table(history), {})
+                    self.assertEqual(pv.table(history, 1), {})
+                self.assertIn(f"'{chosen}' at any of its 2 time steps", str(said))
+                self.assertEqual(getattr(history, name), chosen)
+        peaks = PeakOverTime(Input=foreign)
         with pv.Messages(peaks) as said:
-            self.assertEqual(pv.leaves(pv.data_at(peaks, 0)), [])
-        self.assertIn("'nothing' at any of the 13 time steps", str(said))
+            self.assertEqual([leaf.GetNumberOfPoints() for leaf in pv.leaves(pv.data_at(peaks, 0))], [0])
+        self.assertIn("'contact_pressure' at any of the 2 time steps", str(said))
+
+    def test_arrays_that_may_be_missing(self):
+        # Deflection is a vector like an impulse, Mass a number like an id, a part or a pressure: neither is taken for one.
+        foreign = foreign_series()
+        force = ContactForceandImpulseHistory(Input=foreign, ForceArray="Load")
+        columns = pv.table(force)
+        self.assertEqual(columns["contact_force_x[N]"], [20, 20])  # of four nodes
+        self.assertEqual(columns["impulse_x[N s]"], [0, 20])
+        pressure = MaximumPressureHistory(Input=foreign, PressureArray="Stress", Details=1)
+        columns = pv.table(pressure)
+        self.assertEqual(columns["max_pressure_all[Pa]"], [3, 3])
+        self.assertEqual([title for title in columns if title.startswith("max_pressure_")], ["max_pressure_all[Pa]"])
+        self.assertEqual(columns["id_of_max_pressure"], [3, 3])  # its row
 
     def test_changed_number_of_points(self):
         index = run / "changed.pvd"
