@@ -12,6 +12,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <set>
 
 namespace {
 
@@ -51,7 +52,10 @@ CarriedArrays::CarriedArrays(const std::vector<vtkDataSet*>& leaves, const std::
       if (vtkDataArray* array = leaves[0]->GetPointData()->GetArray(k))
         if (array->GetName() && std::string(array->GetName()) != vtkDataSetAttributes::GhostArrayName())
           wanted.emplace_back(array->GetName());
+  std::set<std::string> seen;
   for (const std::string& name : wanted) {
+    if (!seen.insert(name).second)
+      continue;
     Array all{name, {}, 0, true};
     for (vtkDataSet* leaf : leaves) {
       vtkDataArray* array = leaf->GetPointData()->GetArray(name.c_str());
@@ -70,11 +74,12 @@ CarriedArrays::CarriedArrays(const std::vector<vtkDataSet*>& leaves, const std::
 }
 
 void CarriedArrays::Interpolate(const SphField& field, const std::vector<ParticleRow>& rows,
-                                const std::vector<Vector3d>& places, vtkPointData* to) const
+                                const std::vector<Vector3d>& places, vtkPointData* to,
+                                const std::function<bool(double)>& goOn) const
 {
   const auto count = static_cast<vtkIdType>(places.size());
   std::vector<std::vector<double>> from;
-  std::vector<vtkDataArray*> into;
+  std::vector<vtkSmartPointer<vtkDataArray>> into;
   for (const Array& array : this->Arrays) {
     const auto components = static_cast<std::size_t>(array.Components);
     std::vector<double> values(rows.size() * components);
@@ -98,40 +103,50 @@ void CarriedArrays::Interpolate(const SphField& field, const std::vector<Particl
   normals->SetNumberOfComponents(3);
   normals->SetNumberOfTuples(count);
 
-  ParallelFor(places.size(), 1024, [&](std::size_t begin, std::size_t end) {
-    std::vector<Neighbour> near;
-    std::vector<std::pair<double, double>> sums;
-    for (auto v = static_cast<vtkIdType>(begin); v < static_cast<vtkIdType>(end); ++v) {
-      near.clear();
-      Vector3d uphill{};
-      double all = 0;
-      const Vector3d& place = places[static_cast<std::size_t>(v)];
-      field.ForEachNear(place, [&](std::size_t i, double squared) {
-        const double weight = field.Share(i, squared), slope = field.Slope(i, squared);
-        for (std::size_t k = 0; k < 3; ++k)
-          uphill[k] += slope * (place[k] - field.GetPoints()[i][k]);
-        near.push_back({i, weight});
-        all += weight;
-      });
-      const double length = std::sqrt(DistanceSquared(uphill, {}));
-      for (int k = 0; k < 3; ++k)
-        normals->SetTypedComponent(
-            v, k, length > 0 ? static_cast<float>(-uphill[static_cast<std::size_t>(k)] / length) : 0.0F);
-      for (std::size_t a = 0; a < from.size(); ++a) {
-        const auto components = static_cast<std::size_t>(this->Arrays[a].Components);
-        for (std::size_t k = 0; k < components; ++k) {
-          double value = 0;
-          if (this->Arrays[a].Average) {
-            for (const Neighbour& n : near)
-              value += n.Weight * from[a][n.Particle * components + k];
-            value /= all;
-          } else {
-            value = Majority(near, from[a], components, k, sums);
+  ParallelFor(
+      places.size(), 1024,
+      [&](std::size_t begin, std::size_t end) {
+        std::vector<Neighbour> near;
+        std::vector<std::pair<double, double>> sums;
+        for (auto v = static_cast<vtkIdType>(begin); v < static_cast<vtkIdType>(end); ++v) {
+          near.clear();
+          Vector3d uphill{};
+          double all = 0;
+          const Vector3d& place = places[static_cast<std::size_t>(v)];
+          field.ForEachNear(place, [&](std::size_t i, double squared) {
+            const double weight = field.Share(i, squared), slope = field.Slope(i, squared);
+            for (std::size_t k = 0; k < 3; ++k)
+              uphill[k] += slope * (place[k] - field.GetPoints()[i][k]);
+            near.push_back({i, weight});
+            all += weight;
+          });
+          if (all <= 0) { // beyond a small kernel, on an edge of the grid that is longer than it
+            const std::size_t i = field.Nearest(place);
+            near.assign(1, {i, 1});
+            all = 1;
+            for (std::size_t k = 0; k < 3; ++k)
+              uphill[k] = field.GetPoints()[i][k] - place[k];
           }
-          into[a]->SetComponent(v, static_cast<int>(k), value);
+          const double length = std::sqrt(DistanceSquared(uphill, {}));
+          for (int k = 0; k < 3; ++k)
+            normals->SetTypedComponent(
+                v, k, length > 0 ? static_cast<float>(-uphill[static_cast<std::size_t>(k)] / length) : 0.0F);
+          for (std::size_t a = 0; a < from.size(); ++a) {
+            const auto components = static_cast<std::size_t>(this->Arrays[a].Components);
+            for (std::size_t k = 0; k < components; ++k) {
+              double value = 0;
+              if (this->Arrays[a].Average) {
+                for (const Neighbour& n : near)
+                  value += n.Weight * from[a][n.Particle * components + k];
+                value /= all;
+              } else {
+                value = Majority(near, from[a], components, k, sums);
+              }
+              into[a]->SetComponent(v, static_cast<int>(k), value);
+            }
+          }
         }
-      }
-    }
-  });
+      },
+      goOn);
   to->SetNormals(normals);
 }

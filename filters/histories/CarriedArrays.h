@@ -6,6 +6,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,9 +41,11 @@ public:
    * \param rows   row of each of its particles
    * \param places where the values are wanted; within reach of a particle
    * \param to     one array of each is added, and "Normals": downhill of the field, of length 1
+   * \param goOn   as of ParallelFor; stopped, the values mean nothing
    */
   void Interpolate(const SphField& field, const std::vector<ParticleRow>& rows,
-                   const std::vector<Vector3d>& places, vtkPointData* to) const;
+                   const std::vector<Vector3d>& places, vtkPointData* to,
+                   const std::function<bool(double)>& goOn = {}) const;
 
 private:
   struct Array

@@ -47,18 +47,36 @@ std::string NameOf(vtkCompositeDataSet& composite, vtkCompositeDataIterator& at)
 std::vector<DatasetLeaf> DatasetLeaves(vtkDataObject* data)
 {
   std::vector<DatasetLeaf> leaves;
-  const auto add = [&leaves](vtkDataSet* leaf, const std::string& name) {
-    leaves.push_back({leaf, name.empty() ? "dataset_" + std::to_string(leaves.size()) : name});
+  const auto add = [&leaves](vtkDataSet* leaf, const std::string& name, unsigned int index) {
+    leaves.push_back({leaf, name.empty() ? "dataset_" + std::to_string(leaves.size()) : name, index});
   };
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(data)) {
     auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
     for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
       if (auto* leaf = vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject()))
-        add(leaf, NameOf(*composite, *iterator));
+        add(leaf, NameOf(*composite, *iterator), iterator->GetCurrentFlatIndex());
   } else if (auto* leaf = vtkDataSet::SafeDownCast(data)) {
-    add(leaf, {});
+    add(leaf, {}, 0);
   }
   return leaves;
+}
+
+void CopyLeaves(vtkDataObject* from, vtkDataObject* to)
+{
+  auto* source = vtkCompositeDataSet::SafeDownCast(from);
+  auto* target = vtkCompositeDataSet::SafeDownCast(to);
+  if (!source || !target) {
+    to->ShallowCopy(from);
+    return;
+  }
+  target->CopyStructure(source);
+  target->GetFieldData()->ShallowCopy(source->GetFieldData());
+  auto at = vtkSmartPointer<vtkCompositeDataIterator>::Take(source->NewIterator());
+  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem()) {
+    auto copy = vtkSmartPointer<vtkDataObject>::Take(at->GetCurrentDataObject()->NewInstance());
+    copy->ShallowCopy(at->GetCurrentDataObject());
+    target->SetDataSet(at, copy);
+  }
 }
 
 bool IsPointCloud(vtkDataSet* data)

@@ -11,11 +11,15 @@ class vtkDataSet;
 struct DatasetLeaf
 {
   vtkDataSet* Data;
-  std::string Name; //!< of its block; "dataset_<k>" if it has none, k counting from 0
+  std::string Name;       //!< of its block; "dataset_<k>" if it has none, k counting from 0
+  unsigned int Index = 0; //!< VTK's flat index; 0 if there is only one dataset
 };
 
 //! All leaf datasets of composite data in their order, or the dataset itself.
 std::vector<DatasetLeaf> DatasetLeaves(vtkDataObject* data);
+
+//! Shallow copies of all leaves in the same structure, so that arrays can be added to them.
+void CopyLeaves(vtkDataObject* from, vtkDataObject* to);
 
 //! Whether it is a cloud of points: no cells at all, or none but vertices.
 bool IsPointCloud(vtkDataSet* data);

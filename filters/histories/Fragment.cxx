@@ -32,7 +32,7 @@ Fragments SumFragments(const std::vector<FragmentItem>& items, const std::vector
     }
   }
   for (std::size_t f = 0; f < all.size(); ++f) {
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < 3; ++k) { // without any mass there is no centre: NaN
       all[f].Centre[k] /= weights[f];
       all[f].Velocity[k] /= weights[f];
     }

@@ -23,7 +23,8 @@ std::vector<bool> HiddenCells(vtkDataSet* data, const std::string& eroded)
   std::vector<bool> hidden;
   for (vtkIdType cell = 0; (gone || ghosts) && cell < cells; ++cell) {
     if (!(gone && gone->GetComponent(cell, 0) == 1) &&
-        !(ghosts && (ghosts->GetValue(cell) & vtkDataSetAttributes::HIDDENCELL)))
+        !(ghosts && (ghosts->GetValue(cell) &
+                     (vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL))))
       continue;
     if (hidden.empty())
       hidden.assign(static_cast<std::size_t>(cells), false);
@@ -49,4 +50,12 @@ std::vector<bool> HiddenPoints(vtkDataSet* data, const std::string& eroded)
   for (std::size_t i = 0; i < hidden.size(); ++i)
     hidden[i] = hidden[i] && !held[i];
   return hidden;
+}
+
+bool IsDuplicate(vtkDataSetAttributes* data, vtkIdType row)
+{
+  static_assert(int(vtkDataSetAttributes::DUPLICATECELL) == int(vtkDataSetAttributes::DUPLICATEPOINT));
+  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(data->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  return ghosts && row < ghosts->GetNumberOfTuples() &&
+         (ghosts->GetValue(row) & vtkDataSetAttributes::DUPLICATECELL);
 }

@@ -5,11 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "vtkType.h"
+
 class vtkDataSet;
+class vtkDataSetAttributes;
 
 /**
  * For each cell of \p data whether it is hidden: where the cell array \p eroded is 1 or its vtkGhostType has
- * HIDDENCELL. Empty if no cell is hidden at all.
+ * HIDDENCELL or DUPLICATECELL: another piece of the data has the latter. Empty if no cell is hidden at all.
  */
 std::vector<bool> HiddenCells(vtkDataSet* data, const std::string& eroded);
 
@@ -18,3 +21,6 @@ std::vector<bool> HiddenCells(vtkDataSet* data, const std::string& eroded);
  * Empty if no cell is hidden at all.
  */
 std::vector<bool> HiddenPoints(vtkDataSet* data, const std::string& eroded);
+
+/** Whether the point or cell of these attributes also belongs to another piece of the data, which counts it. */
+bool IsDuplicate(vtkDataSetAttributes* data, vtkIdType row);

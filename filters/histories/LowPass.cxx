@@ -2,6 +2,7 @@
 // A single-pole low pass, as behind a pressure transducer.
 #include "LowPass.h"
 
+#include <algorithm>
 #include <cmath>
 
 std::vector<double> LowPass(const std::vector<double>& times, const std::vector<double>& values,
@@ -10,7 +11,14 @@ std::vector<double> LowPass(const std::vector<double>& times, const std::vector<
   if (!(riseTime > 0))
     return values;
   const double tau = riseTime / std::log(9.0);
-  const auto at = [&](std::size_t k) { return std::isnan(values[k]) ? 0.0 : values[k]; };
+  const auto known =
+      std::find_if(values.begin(), values.end(), [](double value) { return !std::isnan(value); });
+  const double first = known == values.end() ? 0 : *known;
+  const auto at = [&](std::size_t k) {
+    return !std::isnan(values[k])                                    ? values[k]
+           : static_cast<std::ptrdiff_t>(k) < known - values.begin() ? first
+                                                                     : 0.0;
+  };
   std::vector<double> filtered;
   for (std::size_t k = 0; k < values.size(); ++k) {
     if (k == 0) {

@@ -62,6 +62,21 @@ public:
     });
   }
 
+  //! The particle nearest to a place that is within two of the largest smoothing lengths of one.
+  std::size_t Nearest(const Vector3d& place) const
+  {
+    std::size_t nearest = 0;
+    double least = -1;
+    this->Cells.ForEachNear(place, [&](std::size_t i) {
+      const double squared = DistanceSquared(place, this->Points[i]);
+      if (least < 0 || squared < least || (squared == least && i < nearest)) {
+        least = squared;
+        nearest = i;
+      }
+    });
+    return nearest;
+  }
+
 private:
   std::vector<Vector3d> Points;
   std::vector<double> H, Inverse, Reach; // Reach: squared support

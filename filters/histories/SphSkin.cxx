@@ -58,21 +58,24 @@ public:
         this->Low[k] = std::min(this->Low[k], p[k]);
   }
 
-  SphSkin March()
+  SphSkin March(const std::function<bool(double)>& goOn)
   {
     this->FindBlocks();
     this->Patches.resize(this->Starts.size() - 1);
-    ParallelFor(this->Patches.size(), 16, [this](std::size_t begin, std::size_t end) {
-      const auto scratch = std::make_unique<Scratch>();
-      for (std::size_t b = begin; b < end && !this->Full; ++b) {
-        this->Fill(b, *scratch);
-        this->MarchBlock(b, *scratch);
-      }
-    });
+    const bool done = ParallelFor(
+        this->Patches.size(), 16,
+        [this](std::size_t begin, std::size_t end) {
+          const auto scratch = std::make_unique<Scratch>();
+          for (std::size_t b = begin; b < end && !this->Full; ++b) {
+            this->Fill(b, *scratch);
+            this->MarchBlock(b, *scratch);
+          }
+        },
+        goOn);
     if (this->Full)
       throw SkinTooLarge("the surface has more than " + std::to_string(this->Triangles.load()) +
                          " triangles");
-    return this->Join();
+    return done ? this->Join() : SphSkin();
   }
 
 private:
@@ -267,9 +270,10 @@ private:
 
 } // namespace
 
-SphSkin MakeSphSkin(const SphField& field, double spacing, double level, double memory)
+SphSkin MakeSphSkin(const SphField& field, double spacing, double level, double memory,
+                    const std::function<bool(double)>& goOn)
 {
   if (field.GetPoints().empty())
     return {};
-  return Marcher(field, spacing, level, memory).March();
+  return Marcher(field, spacing, level, memory).March(goOn);
 }

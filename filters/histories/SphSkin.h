@@ -5,6 +5,7 @@
 #include "SphField.h"
 
 #include <cstdint>
+#include <functional>
 #include <stdexcept>
 #include <vector>
 
@@ -28,7 +29,9 @@ struct SkinTooLarge : std::runtime_error
  * \param spacing  of the lattice [m], > 0
  * \param level    of the colour function, in (0, 1)
  * \param memory   bytes that may be used beside the particles'
+ * \param goOn     as of ParallelFor; stopped, the surface is empty
  * \throw SkinTooLarge
  * The same particles give the same bits, in any number of threads.
  */
-SphSkin MakeSphSkin(const SphField& field, double spacing, double level, double memory);
+SphSkin MakeSphSkin(const SphField& field, double spacing, double level, double memory,
+                    const std::function<bool(double)>& goOn = {});

@@ -25,6 +25,7 @@
 #include <cmath>
 #include <map>
 #include <new>
+#include <sstream>
 #include <tuple>
 
 vtkStandardNewMacro(vtkBirdSurface);
@@ -137,6 +138,13 @@ bool vtkBirdSurface::CheckProperties()
          within("MemoryLimit", this->MemoryLimit, 1, 1e9);
 }
 
+// Once for each state of the properties, not at every step of a film.
+void vtkBirdSurface::Warn(const std::string& text)
+{
+  if (this->MayWarn)
+    vtkWarningMacro(<< text);
+}
+
 bool vtkBirdSurface::FindLeaves(vtkDataObject* input, Particles& particles)
 {
   const std::vector<DatasetLeaf> leaves = DatasetLeaves(input);
@@ -169,11 +177,11 @@ bool vtkBirdSurface::FindLeaves(vtkDataObject* input, Particles& particles)
            "neighbours, in metres.");
     return false;
   }
-  vtkWarningMacro(
-      "The particles have no point array '"
-      << this->SmoothingLengthArrayName << "': " << particles.Smoothing
-      << " m is taken as the smoothing length of all, "
-      << (this->SmoothingLength > 0 ? "as SmoothingLength says." : "1.2 times the field array 'spacing'."));
+  std::ostringstream text;
+  text << "The particles have no point array '" << this->SmoothingLengthArrayName
+       << "': " << particles.Smoothing << " m is taken as the smoothing length of all, "
+       << (this->SmoothingLength > 0 ? "as SmoothingLength says." : "1.2 times the field array 'spacing'.");
+  this->Warn(text.str());
   return true;
 }
 
@@ -207,9 +215,9 @@ void vtkBirdSurface::Gather(Particles& particles)
   }
   const auto left = static_cast<std::size_t>(all) - found.size();
   if (left > 0)
-    vtkWarningMacro(
-        << left << " of " << all
-        << " particles are left out: their position is not finite, or their smoothing length not above 0.");
+    this->Warn(
+        std::to_string(left) + " of " + std::to_string(all) +
+        " particles are left out: their position is not finite, or their smoothing length not above 0.");
   std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
     return std::tie(a.Point, a.H, a.Row.Leaf, a.Row.Row) < std::tie(b.Point, b.H, b.Row.Leaf, b.Row.Row);
   });
@@ -252,7 +260,7 @@ bool vtkBirdSurface::MakeSurfaces(const Particles& particles, vtkMultiBlockDataS
   const CarriedArrays arrays(particles.Leaves, this->AllArrays ? nullptr : &this->ArrayNames);
   for (const std::string& name : arrays.GetMissing())
     if (!this->AllArrays)
-      vtkWarningMacro("The particles have no point array '" << name << "': it is not carried along.");
+      this->Warn("The particles have no point array '" + name + "': it is not carried along.");
   vtkFieldData* fields = particles.Leaves[0]->GetFieldData();
   auto* names = vtkStringArray::SafeDownCast(fields ? fields->GetAbstractArray("part_names") : nullptr);
 
@@ -267,13 +275,23 @@ bool vtkBirdSurface::MakeSurfaces(const Particles& particles, vtkMultiBlockDataS
       rows.push_back(particles.Rows[i]);
     }
     const SphField field(std::move(points), std::move(h));
-    if (const std::size_t missed = BetweenPoints(field, spacing, this->Level); missed > 0)
-      vtkWarningMacro(
-          << missed << " lone particles of " << field.GetPoints().size()
-          << " are so much smaller than the others that the grid may miss them; lower GridShare.");
-    const SphSkin skin = MakeSphSkin(field, spacing, this->Level, this->MemoryLimit * 1e6);
+    if (const std::size_t missed = BetweenPoints(field, spacing, this->Level); missed > 0) {
+      std::ostringstream text;
+      text << missed << " particles of " << field.GetPoints().size()
+           << " are alone and so small that they may slip through the grid of " << spacing
+           << " m; a lower Grid Share shows them all.";
+      this->Warn(text.str());
+    }
+    const auto within = [&](double low, double high) { // shares of this surface's time
+      const double start = block, all = static_cast<double>(groups.size());
+      return [=, this](double share) {
+        this->UpdateProgress((start + low + (high - low) * share) / all);
+        return !Stopped(*this);
+      };
+    };
+    const SphSkin skin = MakeSphSkin(field, spacing, this->Level, this->MemoryLimit * 1e6, within(0.1, 0.8));
     vtkSmartPointer<vtkPolyData> surface = ToPolyData(skin);
-    arrays.Interpolate(field, rows, skin.Points, surface->GetPointData());
+    arrays.Interpolate(field, rows, skin.Points, surface->GetPointData(), within(0.8, 1));
     if (fields)
       surface->GetFieldData()->ShallowCopy(fields);
     std::string name = "bird";
@@ -295,6 +313,7 @@ int vtkBirdSurface::RequestData(vtkInformation*, vtkInformationVector** inputs, 
 {
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputs);
   output->Initialize();
+  this->MayWarn = this->Warned != this->GetMTime();
   Particles particles;
   if (!this->CheckProperties() || !this->FindLeaves(vtkDataObject::GetData(inputs[0]), particles))
     return 1;
@@ -312,6 +331,7 @@ int vtkBirdSurface::RequestData(vtkInformation*, vtkInformationVector** inputs, 
     vtkErrorMacro(
         "The memory of this machine does not do for the surface; raise GridShare for a coarser grid.");
   }
+  this->Warned = this->GetMTime();
   if (!fine)
     output->Initialize();
   return 1;

@@ -106,6 +106,7 @@ private:
   bool FindLeaves(vtkDataObject* input, Particles& particles);
   void Gather(Particles& particles);
   bool MakeSurfaces(const Particles& particles, vtkMultiBlockDataSet* output);
+  void Warn(const std::string& text);
 
   std::string SmoothingLengthArrayName = "smoothing_length";
   std::string PartArrayName = "part";
@@ -117,4 +118,6 @@ private:
   bool SurfacePerPart = false;
   bool AllArrays = true;
   std::vector<std::string> ArrayNames;
+  vtkMTimeType Warned = 0; // properties as they were when the last warning was given
+  bool MayWarn = true;
 };

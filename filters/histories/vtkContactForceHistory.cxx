@@ -6,6 +6,7 @@
 #include "HiddenCells.h"
 #include "LowPass.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -47,6 +48,8 @@ vtkDataArray* CellArray(vtkDataSet* data, const std::string& name)
 std::string PartName(vtkDataSet* data, double number)
 {
   auto* names = vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("part_names"));
+  if (!std::isfinite(number))
+    return "part_unknown";
   const auto k = static_cast<vtkIdType>(number);
   return names && k >= 0 && k < names->GetNumberOfValues() ? std::string(names->GetValue(k))
                                                            : "part_" + std::to_string(k);
@@ -107,15 +110,16 @@ bool vtkContactForceHistory::Find(vtkDataSet* data, Leaf& leaf)
   return true;
 }
 
-void vtkContactForceHistory::TakeHold(double time, const std::vector<Leaf>& leaves)
+bool vtkContactForceHistory::TakeHold(double time, const std::vector<Leaf>& leaves)
 {
   bool same = this->Held.size() == leaves.size();
   for (std::size_t k = 0; same && k < leaves.size(); ++k)
     same = this->Held[k].OfCells.size() == static_cast<std::size_t>(leaves[k].Data->GetNumberOfCells()) &&
            this->Held[k].OfPoints.size() == static_cast<std::size_t>(leaves[k].Data->GetNumberOfPoints());
   if (same)
-    return;
-  if (!this->Held.empty() && !this->IsEverywhere())
+    return false;
+  const bool anew = !this->Held.empty();
+  if (anew && !this->IsEverywhere())
     vtkWarningMacro("The target's number of cells or points is another at "
                     << time << " s than before: the region takes hold of the target anew where it is then.");
   this->Held.clear();
@@ -136,6 +140,25 @@ void vtkContactForceHistory::TakeHold(double time, const std::vector<Leaf>& leav
     }
     this->Held.push_back(std::move(shares));
   }
+  this->WarnOfEmptyRegion(time, leaves);
+  return anew;
+}
+
+void vtkContactForceHistory::WarnOfEmptyRegion(double time, const std::vector<Leaf>& leaves)
+{
+  vtkBoundingBox box;
+  for (std::size_t k = 0; k < leaves.size(); ++k) {
+    const std::vector<double>& share = leaves[k].OnCells ? this->Held[k].OfCells : this->Held[k].OfPoints;
+    if (std::any_of(share.begin(), share.end(), [](double part) { return part > 0; }))
+      return;
+    box.AddBounds(leaves[k].Data->GetBounds());
+  }
+  if (!box.IsValid())
+    return;
+  const double *low = box.GetMinPoint(), *high = box.GetMaxPoint();
+  vtkWarningMacro("The region holds nothing of the target, which at "
+                  << time << " s reaches from (" << low[0] << ", " << low[1] << ", " << low[2] << ") to ("
+                  << high[0] << ", " << high[1] << ", " << high[2] << ") m: its force is 0.");
 }
 
 void vtkContactForceHistory::AddLeaf(const Leaf& leaf, const Shares& shares, Row& row) const
@@ -143,14 +166,19 @@ void vtkContactForceHistory::AddLeaf(const Leaf& leaf, const Shares& shares, Row
   const auto count = static_cast<std::size_t>(leaf.Force->GetNumberOfTuples());
   const std::vector<double>& share = leaf.OnCells ? shares.OfCells : shares.OfPoints;
   vtkDataArray* part = leaf.OnCells && this->PerPart ? CellArray(leaf.Data, this->PartArrayName) : nullptr;
+  vtkDataSetAttributes* attributes = leaf.OnCells
+                                         ? static_cast<vtkDataSetAttributes*>(leaf.Data->GetCellData())
+                                         : static_cast<vtkDataSetAttributes*>(leaf.Data->GetPointData());
+  Vector own{};                    // force on this leaf
   std::map<double, Vector*> parts; // by number
   for (std::size_t i = 0; i < count; ++i) {
-    if (share[i] == 0)
-      continue;
     const auto id = static_cast<vtkIdType>(i);
+    if (share[i] == 0 || IsDuplicate(attributes, id))
+      continue;
     Vector value{};
     leaf.Force->GetTuple(id, value.data());
     Add(row.Force, value, share[i]);
+    Add(own, value, share[i]);
     if (part) {
       Vector*& sum = parts[part->GetComponent(id, 0)];
       if (!sum)
@@ -187,7 +215,7 @@ void vtkContactForceHistory::AddLeaf(const Leaf& leaf, const Shares& shares, Row
     }
   }
   if (!pressure && !leaf.OnCells)
-    row.Pressed = Length(row.Force);
+    row.Pressed += Length(own);
 }
 
 bool vtkContactForceHistory::AddTimeStep(double time, const std::vector<vtkDataSet*>& leaves)
@@ -208,15 +236,16 @@ bool vtkContactForceHistory::AddTimeStep(double time, const std::vector<vtkDataS
     if (leaf.Force)
       found.push_back(leaf);
   }
-  Row row{time, {0, 0, 0}, {0, 0, 0}, 0, 0, {}};
+  Row row{time, {0, 0, 0}, {0, 0, 0}, 0, 0, {}, false};
   if (found.empty()) {
     row.Force = row.Impulse = {None, None, None};
     row.Area = None;
     this->Rows.push_back(row);
+    this->NoteAbsence(time);
     return true;
   }
   this->Found = true;
-  this->TakeHold(time, found);
+  row.Anew = this->TakeHold(time, found);
   for (std::size_t k = 0; k < found.size(); ++k) {
     this->HasImpulse = this->HasImpulse && found[k].Impulse;
     this->AddLeaf(found[k], this->Held[k], row);
@@ -242,6 +271,7 @@ bool vtkContactForceHistory::FillTable(vtkTable* table)
       values.push_back(value(row));
     return values;
   };
+  this->WarnOfAbsence(this->ForceArrayName);
   const auto times = column([](const Row& row) { return row.Time; });
   this->AddTimes(table, times);
   for (std::size_t k = 0; k < 3; ++k)
@@ -287,18 +317,16 @@ void vtkContactForceHistory::FillImpulse(vtkTable* table) const
   std::vector<Vector> impulses;
   Vector sum{};
   const Row* before = nullptr; // the last row with a target
-  const Row* first = nullptr;
   for (const Row& row : this->Rows) {
     if (std::isnan(row.Area)) {
       impulses.push_back({None, None, None});
       continue;
     }
-    first = first ? first : &row;
-    for (std::size_t k = 0; k < 3; ++k)
-      if (this->HasImpulse)
-        sum[k] = row.Impulse[k] - first->Impulse[k];
-      else if (before)
-        sum[k] += (row.Time - before->Time) * (row.Force[k] + before->Force[k]) / 2;
+    // Other elements have other sums: from the last of the old to the first of the new only the forces tell.
+    const bool exact = this->HasImpulse && (!row.Anew || this->IsEverywhere());
+    for (std::size_t k = 0; before && k < 3; ++k)
+      sum[k] += exact ? row.Impulse[k] - before->Impulse[k]
+                      : (row.Time - before->Time) * (row.Force[k] + before->Force[k]) / 2;
     impulses.push_back(sum);
     before = &row;
   }

@@ -117,6 +117,7 @@ private:
     Vector Force, Impulse;
     double Area, Pressed; // area [m2]; pressure times area [N]
     std::map<std::string, Vector> Parts;
+    bool Anew = false; // the region took hold of other elements than before
   };
   //! What of a leaf is in the region, 0 to 1, by cell and by point.
   struct Shares
@@ -125,7 +126,9 @@ private:
   };
 
   bool Find(vtkDataSet* data, Leaf& leaf);
-  void TakeHold(double time, const std::vector<Leaf>& leaves);
+  //! \return whether it did so anew
+  bool TakeHold(double time, const std::vector<Leaf>& leaves);
+  void WarnOfEmptyRegion(double time, const std::vector<Leaf>& leaves);
   void AddLeaf(const Leaf& leaf, const Shares& shares, Row& row) const;
   void FillImpulse(vtkTable* table) const;
 

@@ -5,15 +5,15 @@
 #include "CellItems.h"
 #include "DatasetLeaves.h"
 #include "FragmentTable.h"
+#include "HiddenCells.h"
 #include "LargestDistance.h"
 #include "StepLoop.h"
 #include "UnionFind.h"
 
 #include "vtkCellData.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -40,26 +40,6 @@ vtkDataArray* PointArray(vtkDataSet* data, const std::string& name, int componen
 bool IsFinite(const Vector3d& place)
 {
   return std::isfinite(place[0]) && std::isfinite(place[1]) && std::isfinite(place[2]);
-}
-
-// Every piece of the data a shallow copy, so that arrays can be added.
-void CopyOver(vtkDataObject* from, vtkDataObject* to)
-{
-  auto* source = vtkCompositeDataSet::SafeDownCast(from);
-  auto* target = vtkCompositeDataSet::SafeDownCast(to);
-  if (!source || !target) {
-    to->ShallowCopy(from);
-    return;
-  }
-  target->CopyStructure(source);
-  target->GetFieldData()->ShallowCopy(source->GetFieldData());
-  auto at = vtkSmartPointer<vtkCompositeDataIterator>::Take(source->NewIterator());
-  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem()) {
-    vtkDataObject* leaf = at->GetCurrentDataObject();
-    auto copy = vtkSmartPointer<vtkDataObject>::Take(leaf->NewInstance());
-    copy->ShallowCopy(leaf);
-    target->SetDataSet(at, copy);
-  }
 }
 
 } // namespace
@@ -166,12 +146,17 @@ bool vtkFragments::AddParticles(const DatasetLeaf& leaf, vtkTable* table)
 
   const vtkIdType count = data->GetNumberOfPoints();
   std::vector<FragmentItem> items;
+  vtkIdType nowhere = 0;
   for (vtkIdType i = 0; i < count; ++i) {
+    if (IsDuplicate(data->GetPointData(), i))
+      continue;
     FragmentItem item{i, {}, {None, None, None}, None, None};
     data->GetPoint(i, item.Centre.data());
     const double h = lengths ? lengths->GetComponent(i, 0) : same;
-    if (!IsFinite(item.Centre) || !(h > 0) || !std::isfinite(h))
+    if (!IsFinite(item.Centre) || !(h > 0) || !std::isfinite(h)) {
+      ++nowhere;
       continue;
+    }
     if (masses)
       item.Mass = masses->GetComponent(i, 0);
     if (velocities)
@@ -179,9 +164,9 @@ bool vtkFragments::AddParticles(const DatasetLeaf& leaf, vtkTable* table)
     item.Energy = 0.5 * item.Mass * DistanceSquared(item.Velocity, {});
     items.push_back(item);
   }
-  if (static_cast<vtkIdType>(items.size()) < count)
+  if (nowhere > 0)
     this->Warn(
-        who + "has " + std::to_string(count - static_cast<vtkIdType>(items.size())) +
+        who + "has " + std::to_string(nowhere) +
         " particles whose place is not finite, or whose smoothing length is not above 0: they are in no "
         "fragment.");
   std::sort(items.begin(), items.end(), [](const FragmentItem& a, const FragmentItem& b) {
@@ -197,12 +182,19 @@ bool vtkFragments::AddParticles(const DatasetLeaf& leaf, vtkTable* table)
   const double largest = h.empty() ? 1 : *std::max_element(h.begin(), h.end());
   const CellList cells(points, this->ReachFactor * largest);
   UnionFind sets(items.size());
-  for (std::size_t i = 0; i < items.size(); ++i)
+  constexpr std::size_t told = 8192; // particles, from one sign of progress to the next
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (i % told == 0) {
+      this->UpdateProgress(0.9 * static_cast<double>(i) / static_cast<double>(items.size()));
+      if (Stopped(*this))
+        return false;
+    }
     cells.ForEachNear(points[i], [&](std::size_t k) {
       const double reach = this->ReachFactor * 0.5 * (h[i] + h[k]);
       if (k < i && DistanceSquared(points[i], points[k]) < reach * reach)
         sets.Join(i, k);
     });
+  }
   std::vector<std::size_t> root;
   for (std::size_t i = 0; i < items.size(); ++i)
     root.push_back(sets.Find(i));
@@ -226,12 +218,14 @@ bool vtkFragments::AddCells(const DatasetLeaf& leaf, vtkTable* table)
   const CellSources sources{PointArray(data, this->VelocityArrayName, 3), this->ErodedArrayName,
                             this->ThicknessArrayName, this->DensityArrayName, this->Density};
   const CellItems cells = MakeCellItems(data, sources);
-  if (!cells.Massive)
+  // A rigid target has neither, and nobody asks for them.
+  const bool rigid = data->GetFieldData() && data->GetFieldData()->GetArray("rigid");
+  if (!cells.Massive && !rigid)
     this->Warn(who +
                "has cells whose mass is not known, and masses, momenta and energies are NaN: set Density, or "
                "DensityArrayName to the cell array of the density; shells also need the cell array '" +
                this->ThicknessArrayName + "'.");
-  if (!sources.Velocity)
+  if (!sources.Velocity && !rigid)
     this->Warn(who + "has no point array '" + this->VelocityArrayName +
                "' of 3 components: velocities, momenta and energies are NaN.");
 
@@ -272,13 +266,15 @@ int vtkFragments::RequestData(vtkInformation*, vtkInformationVector** inputs, vt
   vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
   vtkDataObject* output = vtkDataObject::GetData(outputs, 0);
   vtkTable* table = vtkTable::GetData(outputs, 1);
-  CopyOver(input, output);
+  CopyLeaves(input, output);
   StartFragmentTable(table);
   bool fine = this->CheckProperties();
   this->MayWarn = this->Warned != this->GetMTime();
   std::size_t looked = 0;
   const std::vector<DatasetLeaf> leaves = DatasetLeaves(output);
   for (std::size_t k = 0; k < leaves.size() && fine && !Stopped(*this); ++k) {
+    if (leaves[k].Data->GetNumberOfPoints() == 0)
+      continue;
     const bool particles = this->AreParticles(leaves[k].Data);
     if (this->Kind == (particles ? OnlyCells : OnlyParticles))
       continue;
@@ -296,7 +292,7 @@ int vtkFragments::RequestData(vtkInformation*, vtkInformationVector** inputs, vt
     fine = false;
   }
   if (!fine || Stopped(*this)) {
-    CopyOver(input, output);
+    CopyLeaves(input, output);
     table->Initialize();
   }
   return 1;

@@ -75,9 +75,14 @@ bool vtkMaximumPressureHistory::AddTimeStep(double time, const std::vector<vtkDa
   this->All.emplace_back();
   for (Column& part : this->Parts)
     part.Maxima.push_back(None);
-  for (vtkDataSet* leaf : leaves)
+  bool there = false;
+  for (vtkDataSet* leaf : leaves) {
+    there = there || ArrayOf(leaf, this->PressureArrayName);
     if (!this->AddLeaf(leaf))
       return false;
+  }
+  if (!there)
+    this->NoteAbsence(time);
   return true;
 }
 
@@ -114,7 +119,8 @@ bool vtkMaximumPressureHistory::AddLeaf(vtkDataSet* leaf)
     const double value = pressure->GetComponent(i, 0);
     std::size_t column = 0;
     if (part) {
-      const auto number = static_cast<long long>(part->GetComponent(i, 0));
+      const double own = part->GetComponent(i, 0);
+      const auto number = std::isfinite(own) ? static_cast<long long>(own) : -1;
       if (number >= 0 && number < static_cast<long long>(columns.size())) {
         column = columns[static_cast<std::size_t>(number)];
       } else {
@@ -160,6 +166,7 @@ bool vtkMaximumPressureHistory::FillTable(vtkTable* table)
     for (std::size_t k = 0; k < 3; ++k)
       places[k].push_back(maximum.Place[k]);
   }
+  this->WarnOfAbsence(this->PressureArrayName);
   this->AddTimes(table, this->RowTimes);
   AddColumn(table, "max_pressure_all[Pa]", all);
   for (const Column& part : this->Parts)

@@ -2,12 +2,11 @@
 // Largest value that each point or cell has had over a time series, and when.
 #include "vtkPeakOverTime.h"
 
+#include "DatasetLeaves.h"
 #include "RunningPeaks.h"
 #include "StepLoop.h"
 
 #include "vtkCellData.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
@@ -18,48 +17,9 @@
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <cmath>
-#include <functional>
-
 vtkStandardNewMacro(vtkPeakOverTime);
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
-
-namespace {
-
-//! Calls for each leaf dataset with its flat index, 0 if it is the only one.
-void ForEachLeaf(vtkDataObject* data, const std::function<void(vtkDataSet*, unsigned int)>& call)
-{
-  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data)) {
-    auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-      if (auto* leaf = vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject()))
-        call(leaf, iterator->GetCurrentFlatIndex());
-  } else if (auto* leaf = vtkDataSet::SafeDownCast(data)) {
-    call(leaf, 0);
-  }
-}
-
-//! Shallow copies all the way down, so that arrays can be added to the leaves.
-void CopyTree(vtkDataObject* from, vtkDataObject* to)
-{
-  auto* composite = vtkCompositeDataSet::SafeDownCast(from);
-  auto* copy = vtkCompositeDataSet::SafeDownCast(to);
-  if (!composite || !copy) {
-    to->ShallowCopy(from);
-    return;
-  }
-  copy->CopyStructure(composite);
-  copy->GetFieldData()->PassData(composite->GetFieldData());
-  auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem()) {
-    auto leaf = vtkSmartPointer<vtkDataObject>::Take(iterator->GetCurrentDataObject()->NewInstance());
-    leaf->ShallowCopy(iterator->GetCurrentDataObject());
-    copy->SetDataSet(iterator, leaf);
-  }
-}
-
-} // namespace
 
 vtkPeakOverTime::vtkPeakOverTime() = default;
 vtkPeakOverTime::~vtkPeakOverTime() = default;
@@ -152,17 +112,18 @@ vtkDataArray* vtkPeakOverTime::IdsOf(vtkDataSet* leaf, bool onPoints) const
 bool vtkPeakOverTime::Add(double time, vtkDataObject* input)
 {
   bool fine = true;
-  ForEachLeaf(input, [&](vtkDataSet* leaf, unsigned int index) {
+  for (const DatasetLeaf& piece : DatasetLeaves(input)) {
     bool onPoints = false;
-    vtkDataArray* array = this->ArrayOf(leaf, onPoints);
-    if (!array || !fine || this->Lost.count(index))
-      return;
+    vtkDataArray* array = this->ArrayOf(piece.Data, onPoints);
+    const std::string key = this->KeyOf(piece);
+    if (!array || !fine || this->Lost.count(key))
+      continue;
     if (this->Component >= array->GetNumberOfComponents()) {
       vtkErrorMacro("The array '" << array->GetName() << "' has " << array->GetNumberOfComponents()
                                   << " components; Component is " << this->Component
                                   << ", and they count from 0 (-1 is the length of a vector).");
       fine = false;
-      return;
+      continue;
     }
     if (this->Component >= 0 && array->GetNumberOfComponents() > 1) {
       const char* name = array->GetComponentName(this->Component);
@@ -171,19 +132,19 @@ bool vtkPeakOverTime::Add(double time, vtkDataObject* input)
                             : array->GetNumberOfComponents() == 3 ? axes[this->Component]
                                                                   : std::to_string(this->Component);
     }
-    auto& peaks = this->Peaks[index];
+    auto& peaks = this->Peaks[key];
     if (!peaks)
       peaks = std::make_unique<RunningPeaks>();
     const std::size_t before = peaks->Rows();
-    if (peaks->Add(time, array, this->Component, this->IdsOf(leaf, onPoints), this->Smallest))
-      return;
+    if (peaks->Add(time, array, this->Component, this->IdsOf(piece.Data, onPoints), this->Smallest))
+      continue;
     vtkWarningMacro("The number of " << (onPoints ? "points" : "cells") << " that carry '" << array->GetName()
                                      << "' goes from " << before << " to " << array->GetNumberOfTuples()
                                      << " at " << time << " s, and no point array '" << this->IdArrayName
                                      << "' numbers them: they cannot be followed and have no peak.");
-    this->Lost.insert(index);
-    this->Peaks.erase(index);
-  });
+    this->Lost.insert(key);
+    this->Peaks.erase(key);
+  }
   return fine;
 }
 
@@ -193,9 +154,18 @@ std::string vtkPeakOverTime::ResultName() const
          (this->ComponentName.empty() ? "" : "_" + this->ComponentName);
 }
 
-void vtkPeakOverTime::Put(vtkDataSet* leaf, unsigned int index) const
+// Points with numbers of their own may go from one piece of a block to another, as partitions do; others may not.
+std::string vtkPeakOverTime::KeyOf(const DatasetLeaf& piece) const
 {
-  const auto peaks = this->Peaks.find(index);
+  bool onPoints = false;
+  const bool numbered = this->ArrayOf(piece.Data, onPoints) && this->IdsOf(piece.Data, onPoints);
+  return numbered ? piece.Name : std::to_string(piece.Index);
+}
+
+void vtkPeakOverTime::Put(const DatasetLeaf& piece) const
+{
+  vtkDataSet* leaf = piece.Data;
+  const auto peaks = this->Peaks.find(this->KeyOf(piece));
   bool onPoints = false;
   if (peaks == this->Peaks.end() || !this->ArrayOf(leaf, onPoints))
     return;
@@ -222,10 +192,10 @@ int vtkPeakOverTime::RequestData(vtkInformation* request, vtkInformationVector**
         info->Has(vtkDataObject::DATA_TIME_STEP()) ? info->Get(vtkDataObject::DATA_TIME_STEP()) : 0;
     const double time = timeless ? own : this->Times[this->Done];
     bool there = false;
-    ForEachLeaf(input, [&](vtkDataSet* leaf, unsigned int) {
+    for (const DatasetLeaf& piece : DatasetLeaves(input)) {
       bool onPoints = false;
-      there = there || this->ArrayOf(leaf, onPoints);
-    });
+      there = there || this->ArrayOf(piece.Data, onPoints);
+    }
     if (!there)
       this->Absent.push_back(time);
     fine = this->Add(time, input);
@@ -260,8 +230,9 @@ int vtkPeakOverTime::RequestData(vtkInformation* request, vtkInformationVector**
     output->Initialize();
     return 1;
   }
-  CopyTree(input, output);
-  ForEachLeaf(output, [this](vtkDataSet* leaf, unsigned int index) { this->Put(leaf, index); });
+  CopyLeaves(input, output);
+  for (const DatasetLeaf& piece : DatasetLeaves(output))
+    this->Put(piece);
   if (!timeless)
     output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), this->Now);
   if (timeless)

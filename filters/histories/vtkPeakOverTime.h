@@ -33,6 +33,7 @@
 class RunningPeaks;
 class vtkDataArray;
 class vtkDataSet;
+struct DatasetLeaf;
 
 class BIRDSTRIKEFILTERS_EXPORT vtkPeakOverTime : public vtkPassInputTypeAlgorithm
 {
@@ -96,7 +97,8 @@ private:
 
   void Forget();
   bool Add(double time, vtkDataObject* input);
-  void Put(vtkDataSet* leaf, unsigned int index) const;
+  std::string KeyOf(const DatasetLeaf& piece) const;
+  void Put(const DatasetLeaf& piece) const;
   std::string ResultName() const;
   vtkDataArray* ArrayOf(vtkDataSet* leaf, bool& onPoints) const;
   vtkDataArray* IdsOf(vtkDataSet* leaf, bool onPoints) const;
@@ -115,10 +117,9 @@ private:
   std::size_t Done = 0;      // steps that have been taken in
   std::size_t Wanted = 0;    // steps that must have been for the output asked for
   double Now = 0;            // the time asked for
-  std::map<unsigned int, std::unique_ptr<RunningPeaks>>
-      Peaks;                   // by the flat index of the leaf; 0 if there is only one
-  std::set<unsigned int> Lost; // leaves that cannot be followed
-  std::vector<double> Absent;  // times at which no dataset has the array
+  std::map<std::string, std::unique_ptr<RunningPeaks>> Peaks; // by KeyOf the leaf
+  std::set<std::string> Lost;                                 // leaves that cannot be followed
+  std::vector<double> Absent;                                 // times at which no dataset has the array
   bool AbsenceTold = false;
   std::string ComponentName; // of the component that is followed
 };

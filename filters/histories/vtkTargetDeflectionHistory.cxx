@@ -236,6 +236,8 @@ bool vtkTargetDeflectionHistory::AddTimeStep(double time, const std::vector<vtkD
   const bool there = !this->Now.Counts.empty();
   if (there)
     this->CheckCounts(time);
+  else
+    this->NoteAbsence(time);
 
   double largest = None, along = None;
   Vector place = NoVector;
@@ -283,6 +285,7 @@ bool vtkTargetDeflectionHistory::FillTable(vtkTable* table)
                   << " time steps; set DisplacementArrayName to the array that holds the displacement.");
     return false;
   }
+  this->WarnOfAbsence(this->DisplacementArrayName);
   this->AddTimes(table, this->RowTimes);
   AddColumn(table, "max_deflection[m]", this->Deflection);
   if (this->Details) {

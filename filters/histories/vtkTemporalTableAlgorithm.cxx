@@ -2,10 +2,9 @@
 // The loop over time steps that all histories share.
 #include "vtkTemporalTableAlgorithm.h"
 
+#include "DatasetLeaves.h"
 #include "StepLoop.h"
 
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -24,14 +23,8 @@ namespace {
 std::vector<vtkDataSet*> LeavesOf(vtkDataObject* data)
 {
   std::vector<vtkDataSet*> leaves;
-  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data)) {
-    auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-      if (auto* leaf = vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject()))
-        leaves.push_back(leaf);
-  } else if (auto* leaf = vtkDataSet::SafeDownCast(data)) {
-    leaves.push_back(leaf);
-  }
+  for (const DatasetLeaf& leaf : DatasetLeaves(data))
+    leaves.push_back(leaf.Data);
   return leaves;
 }
 
@@ -72,6 +65,14 @@ void vtkTemporalTableAlgorithm::AddColumn(vtkTable* table, const std::string& ti
   for (std::size_t row = 0; row < values.size(); ++row)
     column->SetValue(static_cast<vtkIdType>(row), values[row]);
   table->AddColumn(column);
+}
+
+void vtkTemporalTableAlgorithm::WarnOfAbsence(const std::string& array)
+{
+  if (!this->Absent.empty())
+    vtkWarningMacro("No dataset of the input has '"
+                    << array << "' at " << this->Absent.size() << " time steps, the first at "
+                    << this->Absent.front() << " s: their rows are empty. Is a frame damaged or missing?");
 }
 
 void vtkTemporalTableAlgorithm::AddIdColumn(vtkTable* table, const std::string& title,
@@ -130,8 +131,10 @@ int vtkTemporalTableAlgorithm::RequestData(vtkInformation* request, vtkInformati
     tables.push_back(vtkTable::GetData(outputs, port));
     tables.back()->Initialize();
   }
-  if (this->Step == 0)
+  if (this->Step == 0) {
+    this->Absent.clear();
     this->Clear();
+  }
 
   const std::size_t steps = this->Times.empty() ? 1 : this->Times.size();
   const std::vector<vtkDataSet*> leaves = input ? LeavesOf(input) : std::vector<vtkDataSet*>();

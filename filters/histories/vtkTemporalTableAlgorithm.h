@@ -62,6 +62,10 @@ protected:
   const std::vector<double>& GetTimes() const { return this->Times; }
   std::size_t GetStep() const { return this->Step; }
 
+  //! Note that no leaf has what is looked for at a time [s]; the rows that this leaves empty are told of at the end.
+  void NoteAbsence(double time) { this->Absent.push_back(time); }
+  void WarnOfAbsence(const std::string& array);
+
   //! Append the column of times.
   void AddTimes(vtkTable* table, const std::vector<double>& times) const
   {
@@ -88,5 +92,6 @@ private:
 
   std::vector<double> Times; // those of the input's TIME_STEPS that are read; empty if it has none
   std::string NoTimes;       // why none is read of an input that has some; else empty
-  std::size_t Step = 0;      // the one asked for now; 0 again after the last
+  std::vector<double> Absent;
+  std::size_t Step = 0; // the one asked for now; 0 again after the last
 };

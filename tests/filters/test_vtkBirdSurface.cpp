@@ -3,6 +3,7 @@
 
 #include "tests/filters/made_cloud.h"
 
+#include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkFieldData.h>
@@ -293,7 +294,7 @@ TEST_CASE("lone particles that slip through the grid are told of", "[filters][su
   Messages messages;
   const auto watch = [&](vtkBirdSurface& f) { messages.watch(f); };
   CHECK(highest(*skin_of(to_data(cloud), watch)) == before);
-  CHECK_THAT(messages.text(), Contains("1 lone particles") && Contains("lower GridShare"));
+  CHECK_THAT(messages.text(), Contains("1 particles of") && Contains("lower Grid Share"));
 
   Messages fewer;
   const auto fine = skin_of(to_data(cloud), [&](vtkBirdSurface& f) {
@@ -359,4 +360,63 @@ TEST_CASE("what cannot be done leaves an empty output and says why", "[filters][
                        f.SetPartArrayName("organ");
                      }),
              Contains("'organ'"));
+}
+
+TEST_CASE("an array named twice is carried once", "[filters][surface]")
+{
+  const auto skin = skin_of(to_data(made_ball(0.03, 0.005)), [](vtkBirdSurface& f) {
+    f.SetAllArrays(false);
+    f.AddArray("mass");
+    f.AddArray("mass");
+  });
+  CHECK(skin->GetPointData()->GetNumberOfArrays() == 2); // and Normals
+}
+
+TEST_CASE("what is told on the skin of a particle far smaller than the grid is its own", "[filters][surface]")
+{
+  // A kernel of 1.2 mm around a point of the grid of 12 mm: the skin lies beyond it on all six edges.
+  Cloud cloud = made_ball(0.05, 0.01);
+  cloud.push_back({.place = {-0.045, -0.045, 0.243}, .mass = 7, .h = 0.0006});
+  const auto skin = skin_of(to_data(cloud), [](vtkBirdSurface& f) { f.SetGridShare(1); });
+  auto* mass = skin->GetPointData()->GetArray("mass");
+  vtkIdType own = 0;
+  for (vtkIdType i = 0; i < mass->GetNumberOfTuples(); ++i) {
+    REQUIRE(std::isfinite(mass->GetComponent(i, 0)));
+    if (skin->GetPoint(i)[2] > 0.2) {
+      CHECK(mass->GetComponent(i, 0) == 7);
+      double normal[3];
+      skin->GetPointData()->GetNormals()->GetTuple(i, normal);
+      CHECK(vtkMath::Norm(normal) == Approx(1));
+      ++own;
+    }
+  }
+  CHECK(own == 6);
+}
+
+TEST_CASE("the skin can be stopped on the way, and shows how far it is", "[filters][surface]")
+{
+  vtkNew<vtkBirdSurface> filter;
+  filter->SetInputDataObject(to_data(made_ball(0.1, 0.005)));
+  std::vector<double> shares;
+  const bool stop = GENERATE(false, true);
+  vtkNew<vtkCallbackCommand> watch;
+  auto context = std::pair(&shares, stop);
+  watch->SetClientData(&context);
+  watch->SetCallback([](vtkObject* object, unsigned long, void* data, void*) {
+    auto& [seen, stops] = *static_cast<std::pair<std::vector<double>*, bool>*>(data);
+    auto* self = vtkAlgorithm::SafeDownCast(object);
+    seen->push_back(self->GetProgress());
+    if (stops && self->GetProgress() > 0.15)
+      self->SetAbortExecute(1);
+  });
+  filter->AddObserver(vtkCommand::ProgressEvent, watch);
+  filter->Update();
+  CHECK(std::is_sorted(shares.begin(), shares.end()));
+  if (stop) {
+    CHECK(filter->GetOutput()->GetNumberOfBlocks() == 0);
+    CHECK(std::count_if(shares.begin(), shares.end(), [](double s) { return s > 0.15 && s < 1; }) == 1);
+  } else {
+    CHECK(shares.size() > 20);
+    CHECK(filter->GetOutput()->GetNumberOfBlocks() == 1);
+  }
 }

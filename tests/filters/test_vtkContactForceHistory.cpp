@@ -17,18 +17,18 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-constexpr int side = 10; // elements; of 0.1 m
-
 // A plate of 1 m x 1 m about the origin, across x, with a force on each element that rises with time, part 0 for y < 0
 // and 1 above.
-vtkSmartPointer<vtkPolyData> made_plate(const std::function<std::array<double, 3>(double y, double z)>& force)
+vtkSmartPointer<vtkPolyData> made_plate(const std::function<std::array<double, 3>(double y, double z)>& force,
+                                        int side = 10)
 {
+  const double edge = 1.0 / side;
   auto plate = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   for (int j = 0; j <= side; ++j)
     for (int i = 0; i <= side; ++i)
-      points->InsertNextPoint(0, -0.5 + 0.1 * i, -0.5 + 0.1 * j);
+      points->InsertNextPoint(0, -0.5 + edge * i, -0.5 + edge * j);
   vtkNew<vtkCellArray> quads;
   vtkNew<vtkDoubleArray> forces;
   forces->SetName("contact_force");
@@ -39,7 +39,7 @@ vtkSmartPointer<vtkPolyData> made_plate(const std::function<std::array<double, 3
     for (int i = 0; i < side; ++i) {
       const vtkIdType first = j * (side + 1) + i;
       quads->InsertNextCell({first, first + 1, first + side + 2, first + side + 1});
-      const double y = -0.45 + 0.1 * i, z = -0.45 + 0.1 * j;
+      const double y = -0.5 + edge * (i + 0.5), z = -0.5 + edge * (j + 0.5);
       forces->InsertNextTuple(force(y, z).data());
       part->InsertNextValue(y > 0);
     }
@@ -276,4 +276,50 @@ TEST_CASE("what makes no sense is an error and an empty table", "[filters][conta
   set(*run.filter);
   CHECK(run.table().GetNumberOfColumns() == 0);
   CHECK_THAT(run.errors->first(), Contains(words));
+}
+
+TEST_CASE("an impulse goes on where a region takes hold of other elements", "[filters][contact_force]")
+{
+  // The load is even and constant: the region's impulse rises in a straight line, whatever the mesh. The solver's sums of
+  // the finer mesh hold other numbers.
+  Run run({0, 1, 2, 3}, [](double t) {
+    const double area = t < 1.5 ? 0.01 : 0.0025;
+    auto plate = made_plate(
+        [area](double, double) {
+          return std::array{3 * area, 0.0, 0.0};
+        },
+        t < 1.5 ? 10 : 20);
+    add_impulse(*plate, (3 * t + (t < 1.5 ? 0 : 500)) * area);
+    return plate;
+  });
+  run.filter->SetRegion(vtkContactForceHistory::Box);
+  run.filter->SetBoxSize(1, 0.4, 0.4);
+  for (int k = 0; k < 4; ++k)
+    CHECK(value(run.table(), k, "impulse_x[N s]") == Approx(3 * 0.16 * k).margin(1e-12));
+}
+
+TEST_CASE("a region that misses the target is told of, with where the target is", "[filters][contact_force]")
+{
+  Run run({0, 1}, [](double) {
+    return made_plate([](double, double) { return std::array{1.0, 0.0, 0.0}; });
+  });
+  run.filter->SetRegion(vtkContactForceHistory::Sphere);
+  run.filter->SetCenter(3, 0, 0);
+  CHECK(value(run.table(), 1, "contact_force[N]") == 0);
+  CHECK_THAT(run.errors->first(), Contains("holds nothing of the target") && Contains("-0.5"));
+}
+
+TEST_CASE("elements that another piece of the data counts are not counted twice", "[filters][contact_force]")
+{
+  Run run({0, 1}, [](double) {
+    auto plate = made_plate([](double, double) { return std::array{1.0, 0.0, 0.0}; });
+    vtkNew<vtkUnsignedCharArray> ghosts;
+    ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+    for (vtkIdType c = 0; c < plate->GetNumberOfCells(); ++c)
+      ghosts->InsertNextValue(c % 4 == 0 ? vtkDataSetAttributes::DUPLICATECELL : 0);
+    plate->GetCellData()->AddArray(ghosts);
+    return plate;
+  });
+  CHECK(value(run.table(), 1, "contact_force_x[N]") == Approx(75));
+  CHECK(value(run.pressures(), 1, "area[m2]") == Approx(0.75));
 }

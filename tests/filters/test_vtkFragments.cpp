@@ -332,3 +332,20 @@ TEST_CASE("particles at no finite place are in no fragment; wrong settings say s
   fine->GetPointData()->RemoveArray("smoothing_length");
   CHECK_THAT(failed(fine, [](auto&) {}), Contains("set SmoothingLength"));
 }
+
+TEST_CASE("an empty dataset and a rigid target are nothing to complain of", "[filters][fragments]")
+{
+  auto run = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  run->SetBlock(0, to_data(made_ball(0.03, 0.01)));
+  run->SetBlock(1, vtkSmartPointer<vtkPolyData>::New());
+  auto plate = made_sheet(2);
+  plate->GetPointData()->RemoveArray("velocity");
+  vtkNew<vtkDoubleArray> rigid;
+  rigid->SetName("rigid");
+  rigid->InsertNextValue(1);
+  plate->GetFieldData()->AddArray(rigid);
+  run->SetBlock(2, plate);
+  const Result result = fragments_of(run);
+  CHECK(result.messages.empty());
+  CHECK(result.table->GetNumberOfRows() == 2);
+}

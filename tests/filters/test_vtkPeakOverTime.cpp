@@ -8,6 +8,7 @@
 #include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkPartitionedDataSetCollection.h>
 
 #include <algorithm>
 #include <cmath>
@@ -258,4 +259,32 @@ TEST_CASE("an abort between steps leaves nothing, and the next try is whole", "[
   run.filter->Modified();
   CHECK(values(run.at(3), "peak_pressure") == std::vector<double>{5, 0, 9});
   CHECK(run.filter->GetProgressText() == std::string("time step 4 of 4, 3 s"));
+}
+
+TEST_CASE("particles with numbers keep their peaks where they go from one partition to another",
+          "[filters][peak]")
+{
+  Run run({0, 1}, [](double t) {
+    const auto piece = [](const std::vector<double>& pressure, const std::vector<int>& ids) {
+      auto data = made_particles(pressure, {});
+      vtkNew<vtkIntArray> numbers;
+      numbers->SetName("id");
+      for (const int id : ids)
+        numbers->InsertNextValue(id);
+      data->GetPointData()->AddArray(numbers);
+      return data;
+    };
+    auto pieces = vtkSmartPointer<vtkPartitionedDataSetCollection>::New();
+    pieces->SetPartition(0, 0, t == 0 ? piece({100, 5}, {1, 2}) : piece({7}, {2}));
+    pieces->SetPartition(0, 1, t == 0 ? piece({3}, {3}) : piece({2, 80}, {3, 1}));
+    pieces->GetMetaData(0u)->Set(vtkCompositeDataSet::NAME(), "bird");
+    return pieces;
+  });
+  run.at(1);
+  auto* output = vtkPartitionedDataSetCollection::SafeDownCast(run.filter->GetOutputDataObject(0));
+  REQUIRE(output);
+  CHECK(values(vtkDataSet::SafeDownCast(output->GetPartitionAsDataObject(0, 0)), "peak_pressure") ==
+        std::vector<double>{7});
+  CHECK(values(vtkDataSet::SafeDownCast(output->GetPartitionAsDataObject(0, 1)), "peak_pressure") ==
+        std::vector<double>{3, 100});
 }
