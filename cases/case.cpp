@@ -211,6 +211,11 @@ std::string place_of(const std::map<std::string, std::string>& places, const std
   return found == places.end() ? file : found->second;
 }
 
+//! Stand beside the parts' own numbers, as max_pressure_all and theory.hugoniot_pressure do.
+constexpr std::array<std::string_view, 5> taken_names{"all", "hugoniot_pressure", "stagnation_bernoulli",
+                                                      "stagnation_standing_shock",
+                                                      "compliant_target_pressure"};
+
 //! Names of laws exist and are nobody else's, and every part has the porosity that its law needs.
 //! \param places  of the keys that were given
 void check_part_laws(const Case& parsed, const std::map<std::string, std::string>& places,
@@ -225,6 +230,11 @@ void check_part_laws(const Case& parsed, const std::map<std::string, std::string
                                    law.place, law.name));
   for (const PartCase& part : parsed.bird.parts) {
     const std::string path = "bird.parts." + part.name;
+    require(
+        std::find(taken_names.begin(), taken_names.end(), part.name) == taken_names.end(),
+        fmt::format("{}: {}: \"{}\" is the name of a number in histories.csv and summary.json, which a part "
+                    "of that name would replace; call the part otherwise",
+                    file, path, part.name));
     const bool by_density = places.contains(path + ".density");
     if (by_density && places.contains(path + ".porosity") && part.porosity != 0)
       throw InputError(

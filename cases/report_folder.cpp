@@ -2,6 +2,7 @@
 // Reads what a run's folder holds, and notes what it does not.
 #include "cases/report_folder.h"
 
+#include "cases/history_table.h"
 #include "core/error.h"
 
 #include <fmt/format.h>
@@ -206,43 +207,6 @@ nlohmann::ordered_json summary_so_far(const History& history)
       if (const std::string& name = history.columns[column].name; name.starts_with(prefix))
         add_peak(of, name.substr(prefix.size()), column);
   return summary;
-}
-
-History read_history_table(const fs::path& csv)
-{
-  std::ifstream in(csv, std::ios::binary);
-  std::string line;
-  require(in && std::getline(in, line), "it cannot be read, or is empty");
-  History table;
-  std::istringstream titles(line);
-  for (std::string title; std::getline(titles, title, ',');) {
-    const std::size_t bracket = title.find('[');
-    require(bracket != std::string::npos && title.ends_with(']'),
-            fmt::format("the column title \"{}\" has no unit in brackets", title));
-    table.columns.push_back(
-        {title.substr(0, bracket), title.substr(bracket + 1, title.size() - bracket - 2)});
-  }
-  require(!table.columns.empty() && table.columns[0].name == "time", "its first column is not the time");
-  for (std::size_t row = 2; std::getline(in, line); ++row) {
-    std::vector<double> values;
-    const char *at = line.data(), *const end = at + line.size();
-    for (bool sound = true; sound && values.size() < table.columns.size();) {
-      double value = 0;
-      const auto [next, error] = std::from_chars(at, end, value);
-      sound = error == std::errc() && (next == end || *next == ',');
-      if (sound)
-        values.push_back(value);
-      at = next == end ? end : next + 1;
-    }
-    const bool cut_off = in.eof(); // without its end a line may be half a number
-    const bool last = cut_off || in.peek() == std::ifstream::traits_type::eof();
-    if (values.size() != table.columns.size() || cut_off) {
-      require(last, fmt::format("row {} has not {} numbers", row, table.columns.size()));
-      break;
-    }
-    table.values.insert(table.values.end(), values.begin(), values.end());
-  }
-  return table;
 }
 
 ReportFolder read_report_folder(const fs::path& folder)

@@ -32,10 +32,6 @@ ReportFolder read_report_folder(const std::filesystem::path& folder);
 //! What a table of histories tells of a summary: the peak pressures, under the keys that summary.json has.
 nlohmann::ordered_json summary_so_far(const History& history);
 
-//! A table whose titles are name[unit]. A last row that is cut off, as in a run that was killed, is left out.
-//! \throw InputError naming file and row if it is no such table
-History read_history_table(const std::filesystem::path& csv);
-
 //! The text without the folders of absolute paths: "/home/me/bird.glb: 3 solids" becomes "bird.glb: 3 solids".
 std::string without_folders(const std::string& text);
 

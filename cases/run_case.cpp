@@ -159,6 +159,18 @@ void evaluate_gauges(const Case& parsed, const Simulation& run, const Flight& fl
                                      parsed.target.size[0] * parsed.target.size[1]});
 }
 
+//! A set is one only once the target has come to rest.
+void check_set(const Simulation& run, Log& log)
+{
+  const PermanentSet::Largest rest = run.permanent_set();
+  constexpr double quiet = 0.25, seen = 1e-5; // of the set [-]; nobody asks for less [m]
+  if (rest.amplitude > std::max(quiet * rest.set, seen))
+    log.warn(
+        fmt::format("the target still swings by {:.2f} mm about its permanent set of {:.2f} mm over the last "
+                    "fifth of the run: the set is not settled; a later run.end tells more",
+                    1e3 * rest.amplitude, 1e3 * rest.set));
+}
+
 void run_and_record(const Case& parsed, const RunOptions& options, Simulation& run, const Flight& flight,
                     double density_factor, const std::string& bird, Clock::time_point start, Log& log)
 {
@@ -197,6 +209,7 @@ void run_and_record(const Case& parsed, const RunOptions& options, Simulation& r
   }
   facts.wall_seconds = seconds_since(start);
   say_lines(log, summary_table(run, facts));
+  check_set(run, log);
   log.file_only(fmt::format("neighbour lists built {} times, {:.1f} neighbours a particle",
                             run.list_rebuilds(), run.mean_neighbours()));
   write_text_atomically(options.output / "summary.json",

@@ -2,33 +2,20 @@
 // Plots of a study over time: a column of every run's histories.csv.
 #include "cases/study_histories.h"
 
+#include "cases/history_table.h"
 #include "cases/quantity.h"
 #include "cases/thin_rows.h"
 #include "core/error.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cstdlib>
-#include <fstream>
-#include <sstream>
-
 namespace fs = std::filesystem;
 
 namespace birdstrike {
 namespace {
 
-std::vector<std::string> split(const std::string& line)
-{
-  std::vector<std::string> cells;
-  std::istringstream text(line);
-  for (std::string cell; std::getline(text, cell, ',');)
-    cells.push_back(cell);
-  return cells;
-}
-
 //! Of transducers.csv where histories.csv has no such column.
-HistoryColumn find_history(const fs::path& run, const std::string& column)
+HistoryValues find_history(const fs::path& run, const std::string& column)
 {
   std::error_code ignored;
   try {
@@ -42,40 +29,6 @@ HistoryColumn find_history(const fs::path& run, const std::string& column)
 
 } // namespace
 
-HistoryColumn read_history_column(const fs::path& csv, const std::string& column)
-{
-  std::ifstream in(csv);
-  std::string line;
-  if (!in || !std::getline(in, line))
-    throw OutputError(fmt::format("{} cannot be read; run the study again", csv.string()));
-  std::vector<std::string> names = split(line);
-  HistoryColumn result;
-  std::size_t wanted = 0;
-  for (std::size_t k = names.size(); k-- > 0;) {
-    const std::size_t bracket = std::min(names[k].size(), names[k].find('['));
-    const std::string unit = names[k].substr(bracket);
-    names[k].resize(bracket);
-    if (names[k] == column) {
-      wanted = k;
-      result.unit = unit.size() > 2 ? unit.substr(1, unit.size() - 2) : "-";
-    }
-  }
-  if (wanted == 0)
-    throw OutputError(fmt::format("{} has no column \"{}\"; it has {}", csv.string(), column,
-                                  fmt::join(names.begin() + 1, names.end(), ", ")));
-  while (std::getline(in, line)) {
-    if (in.eof())
-      break; // a run that was stopped: without its end the line may be half a number
-    const std::vector<std::string> cells = split(line);
-    if (cells.size() <= wanted)
-      throw OutputError(fmt::format("{}: row {} is cut off; delete this run's folder and run the study again",
-                                    csv.string(), result.time.size() + 2));
-    result.time.push_back(std::strtod(cells[0].c_str(), nullptr));
-    result.values.push_back(std::strtod(cells[wanted].c_str(), nullptr));
-  }
-  return result;
-}
-
 Plot plot_of_histories(const StudyPlot& plot, const std::vector<StudyRun>& runs,
                        const std::vector<RunResult>& results, const fs::path& folder)
 {
@@ -88,7 +41,7 @@ Plot plot_of_histories(const StudyPlot& plot, const std::vector<StudyRun>& runs,
   for (std::size_t k = 0; k < runs.size(); ++k) {
     if (results[k].status != RunStatus::complete)
       continue;
-    const HistoryColumn column = find_history(folder / "runs" / runs[k].slug, plot.history);
+    const HistoryValues column = find_history(folder / "runs" / runs[k].slug, plot.history);
     if (!same_kind(plot.y_unit, column.unit == "-" ? "1" : column.unit))
       throw OutputError(fmt::format("{}: the history {} is in {}, which {} does not measure; give another "
                                     "y_unit",

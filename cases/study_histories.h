@@ -11,17 +11,6 @@
 
 namespace birdstrike {
 
-//! A column of a run's histories.csv, in SI.
-struct HistoryColumn
-{
-  std::string unit;                 //!< "m", "-" for a pure number
-  std::vector<double> time, values; //!< of equal length; time in [s]
-};
-
-//! \param column  its title without the unit, "deflection_centre"
-//! \throw OutputError naming the file and what it lacks
-HistoryColumn read_history_column(const std::filesystem::path& csv, const std::string& column);
-
 //! A column of histories.csv or transducers.csv: one line for each complete run, against the time in milliseconds, rows thinned to some 2000.
 //! \param plot    with a history and the unit to show it in
 //! \param folder  of the study; the runs stand below folder/runs

@@ -271,8 +271,11 @@ std::string summary_table(const Simulation& run, const RunFacts& facts)
   row("largest force", fmt::format("{:.1f} kN", 1e-3 * largest(run.history(), "contact_force_x")));
   if (const Shells* shells = run.mesh_target() ? run.mesh_target()->shells() : nullptr) {
     const Peak deflection = largest_deflection(run.history());
-    row("target", fmt::format("largest deflection {:.2f} mm at {:.3f} ms, permanent set {:.2f} mm",
-                              1e3 * deflection.value, 1e3 * deflection.time, 1e3 * run.permanent_set().set));
+    const PermanentSet::Largest rest = run.permanent_set();
+    row("target",
+        fmt::format("largest deflection {:.2f} mm at {:.3f} ms, permanent set {:.2f} mm, about which it "
+                    "still swings by {:.2f} mm",
+                    1e3 * deflection.value, 1e3 * deflection.time, 1e3 * rest.set, 1e3 * rest.amplitude));
     row("", fmt::format(
                 "{} of {} elements eroded, plastic energy {:.4g} J, hourglass {:.2f} % of internal energy",
                 shells->eroded(), shells->mesh().elements.size(), ledger.target.plastic,

@@ -80,6 +80,8 @@ inline constexpr std::array mesh_target_fields{
 inline constexpr std::array shell_fields{
   Field<Shells>{"thickness", 1, "m", "of the element now",
     [](const Shells& s, std::size_t e, int) { return s.thickness[e]; }},
+  Field<Shells>{"density", 1, "kg/m3", "of the element's material",
+    [](const Shells& s, std::size_t e, int) { return s.section_of(e).material.density; }},
   Field<Shells>{"von_mises", 1, "Pa", "effective stress, the largest through the thickness",
     [](const Shells& s, std::size_t e, int) { return largest_in(s, e, von_mises_stress); }},
   Field<Shells>{"plastic_strain", 1, "-", "effective plastic strain, the largest through the thickness",

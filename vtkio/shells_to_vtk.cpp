@@ -42,6 +42,7 @@ vtkSmartPointer<vtkUnstructuredGrid> plate_to_vtk(const RigidPlate& plate, doubl
   add_field_arrays(*grid->GetCellData(), target_fields, plate, quads->GetNumberOfCells(),
                    [](vtkIdType k) { return static_cast<std::size_t>(k); });
   add_field_value(*grid->GetFieldData(), "thickness", plate.thickness);
+  add_field_value(*grid->GetFieldData(), "rigid", 1); // its mass and motion are not to be asked for
   add_field_value(*grid->GetFieldData(), "TimeValue", time);
   return grid;
 }
@@ -112,6 +113,7 @@ vtkSmartPointer<vtkUnstructuredGrid> mesh_target_to_vtk(const MeshTarget& target
     for (const double of_element : target.surface().thickness)
       thickness->InsertNextValue(of_element);
     grid->GetCellData()->AddArray(thickness);
+    add_field_value(*grid->GetFieldData(), "rigid", 1);
   }
   add_field_value(*grid->GetFieldData(), "middle_surface",
                   1); // the points lie in the middle of the thickness

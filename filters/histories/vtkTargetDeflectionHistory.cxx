@@ -7,12 +7,14 @@
 #include "SteadyTurn.h"
 #include "TrailingMean.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkTable.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <limits>
@@ -200,6 +202,26 @@ void vtkTargetDeflectionHistory::FindNearest()
   }
 }
 
+// A place so far off the target that the nearest point says nothing of it; told of.
+void vtkTargetDeflectionHistory::CheckDistances()
+{
+  vtkBoundingBox box;
+  for (const Vector& place : this->Now.Place)
+    box.AddPoint(place[0], place[1], place[2]);
+  constexpr double near = 0.1; // of the target's size
+  const double limit = near * (box.IsValid() ? box.GetDiagonalLength() : 0);
+  for (const ChosenPoint& point : this->Chosen)
+    if (point.Distance > limit)
+      vtkWarningMacro("The chosen point '" << point.Name << "' is " << point.Distance
+                                           << " m away from the target, whose nearest point stands for it.");
+  const std::vector<LineOnTarget::Sample>& samples = this->Line->Samples();
+  if (!samples.empty() &&
+      std::all_of(samples.begin(), samples.end(),
+                  [limit](const LineOnTarget::Sample& sample) { return sample.Off > limit; }))
+    vtkWarningMacro(
+        "The line lies nowhere near the target: its deflections are those of the nearest places.");
+}
+
 void vtkTargetDeflectionHistory::CheckCounts(double time)
 {
   if (this->FirstCounts.empty()) {
@@ -210,6 +232,7 @@ void vtkTargetDeflectionHistory::CheckCounts(double time)
                         {this->LineEnd[0], this->LineEnd[1], this->LineEnd[2]}, this->LinePoints);
       this->Line->Tie(this->Now.Leaves, this->Now.Place);
     }
+    this->CheckDistances();
   }
   if (!this->Followed || this->Now.Counts == this->FirstCounts)
     return;

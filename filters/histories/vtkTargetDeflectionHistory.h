@@ -176,6 +176,7 @@ private:
   bool Gather(double time, const std::vector<vtkDataSet*>& leaves);
   void FindNearest();
   void CheckCounts(double time);
+  void CheckDistances();
   double Along(const Vector& u) const;
   void FillChosen(vtkTable* table) const;
   void FillSet(vtkTable* table) const;

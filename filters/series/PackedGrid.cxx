@@ -92,6 +92,14 @@ void CheckCells(const PackedPiece& piece, std::int64_t points)
     throw std::runtime_error("the cells of \"" + piece.Name + "\" are damaged");
 }
 
+void RequireRows(vtkDataArray& array, vtkIdType rows, const PackedPiece& piece)
+{
+  if (array.GetNumberOfTuples() != rows)
+    throw std::runtime_error("the array \"" + std::string(array.GetName()) + "\" of \"" + piece.Name +
+                             "\" has " + std::to_string(array.GetNumberOfTuples()) + " rows in place of " +
+                             std::to_string(rows));
+}
+
 } // namespace
 
 PackedPiece PieceFromGrid(const std::string& name, vtkUnstructuredGrid* grid)
@@ -136,6 +144,7 @@ vtkSmartPointer<vtkUnstructuredGrid> GridFromPiece(const PackedPiece& piece)
       grid->GetPointData()->AddArray(data);
       break;
     case Place::CellData:
+      RequireRows(*data, static_cast<vtkIdType>(piece.Types.size()), piece);
       grid->GetCellData()->AddArray(data);
       break;
     case Place::FieldData:
@@ -144,6 +153,8 @@ vtkSmartPointer<vtkUnstructuredGrid> GridFromPiece(const PackedPiece& piece)
     }
   }
   CheckCells(piece, points);
+  for (int k = 0; k < grid->GetPointData()->GetNumberOfArrays(); ++k)
+    RequireRows(*grid->GetPointData()->GetArray(k), points, piece);
   for (const auto& [name, texts] : piece.FieldStrings) {
     auto list = vtkSmartPointer<vtkStringArray>::New();
     list->SetName(name.c_str());

@@ -52,7 +52,12 @@ int vtkPackedSeriesReader::CanReadFile(const char* name)
 int vtkPackedSeriesReader::RequestInformation(vtkInformation*, vtkInformationVector**,
                                               vtkInformationVector* outputs)
 {
-  if (!this->File) {
+  std::error_code ignored; // what cannot be looked at cannot be opened either, and is told of there
+  const auto stamp = std::make_pair(std::filesystem::file_size(this->FileName, ignored),
+                                    std::filesystem::last_write_time(this->FileName, ignored));
+  if (!this->File || stamp != this->Stamp) {
+    this->File.reset();
+    this->Stamp = stamp;
     try {
       this->File = std::make_unique<PackedFile>(this->FileName);
     } catch (const std::exception& error) {

@@ -14,8 +14,11 @@
 #include "BirdStrikeSeriesModule.h"
 #include "vtkMultiBlockDataSetAlgorithm.h"
 
+#include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 
 class PackedFile;
 
@@ -46,4 +49,6 @@ private:
 
   std::string FileName;
   std::unique_ptr<PackedFile> File; // null: not opened yet
+  std::pair<std::uintmax_t, std::filesystem::file_time_type>
+      Stamp; // size and time of the file that was opened
 };

@@ -104,6 +104,17 @@ TEST_CASE("parts keep the order of the file", "[cases][case]")
   CHECK(parsed.bird.parts[2].name == "neck");
 }
 
+TEST_CASE("a part cannot have the name of a number beside the parts'", "[cases][case][errors]")
+{
+  const scratch::Folder folder;
+  for (const std::string name : {"all", "hugoniot_pressure", "compliant_target_pressure"}) {
+    const fs::path file = folder.write(
+        "case.toml", replaced(box_case, "torso = { porosity = 0.4 }", name + " = { porosity = 0.4 }"));
+    CHECK_THROWS_WITH(read_case(file),
+                      Catch::Contains("bird.parts." + name) && Catch::Contains("call the part"));
+  }
+}
+
 TEST_CASE("overrides replace and add keys", "[cases][case]")
 {
   const scratch::Folder folder;

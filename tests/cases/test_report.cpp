@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // birdstrike report: its numbers are those of the run, its words are escaped, and what is missing is said.
+#include "cases/history_table.h"
 #include "cases/report.h"
 #include "cases/report_balances.h"
 #include "cases/report_charts.h"

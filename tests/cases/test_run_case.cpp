@@ -259,6 +259,7 @@ TEST_CASE("a target that bends leaves its frames, histories and numbers", "[case
     CHECK(histories.at("support_impulse_x[N s]").back() < 0);
     CHECK_THAT(outcome.output,
                Catch::Contains("largest deflection") && Catch::Contains("support edges: 20 nodes, clamped"));
+    CHECK_THAT(outcome.output, Catch::Contains("about which it still swings by"));
   }
 
   SECTION("the echo runs again to the same bytes, wherever it stands")

@@ -428,6 +428,20 @@ TEST_CASE("a state of another shape cannot join a packed series", "[packed]")
   CHECK_THROWS_WITH(PackedWriter(folder.path / "none" / "run.bss", 1e-3), Contains("No such file"));
 }
 
+TEST_CASE("the reader sees a series that has grown", "[packed]")
+{
+  TemporaryFolder folder;
+  const std::string name = write(folder.path, 2, 1e-4);
+  vtkNew<vtkPackedSeriesReader> reader;
+  reader->SetFileName(name.c_str());
+  reader->UpdateInformation();
+  REQUIRE(reader->GetOutputInformation(0)->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()) == 2);
+  write(folder.path, 5, 1e-4);
+  reader->Modified();
+  reader->UpdateInformation();
+  CHECK(reader->GetOutputInformation(0)->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()) == 5);
+}
+
 TEST_CASE("the reader of packed series gives blocks by name at the times asked for", "[packed]")
 {
   TemporaryFolder folder;

@@ -290,3 +290,22 @@ TEST_CASE("wrong properties and arrays are named, and the next try starts well",
   CHECK(value(run.table(), 1, "permanent_set[m]") == Approx(1));
   CHECK_FALSE(run.errors->any());
 }
+
+TEST_CASE("a chosen point or a line far off the target is told of", "[filters][deflection]")
+{
+  const Motion still = [](double, double, double) -> Vector { return {1e-3, 0, 0}; };
+  Run run({0, 1}, [&](double t) -> vtkSmartPointer<vtkDataObject> { return made_plate(4, t, still); });
+  run.filter->AddPoint(0, 0.6, 0, "near");
+  run.table();
+  CHECK_FALSE(run.errors->any());
+  run.filter->AddPoint(9, 9, 9, "far");
+  run.table();
+  CHECK_THAT(run.errors->first(), Contains("'far' is 15") && Contains("m away from the target"));
+
+  Run line({0, 1}, [&](double t) -> vtkSmartPointer<vtkDataObject> { return made_plate(4, t, still); });
+  line.filter->SetUseLine(true);
+  line.filter->SetLineStart(2, -0.5, 0);
+  line.filter->SetLineEnd(2, 0.5, 0);
+  line.table();
+  CHECK_THAT(line.errors->first(), Contains("nowhere near the target"));
+}
