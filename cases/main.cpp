@@ -1,18 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program birdstrike: picks the command, and turns failures into a message and an exit status.
 #include "cases/commands.h"
+#include "cases/edit_distance.h"
 #include "cases/share_processor.h"
 #include "core/error.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace birdstrike;
+
+//! CLI11 only says that a command is required.
+void require_known_command(const CLI::App& program, const std::string& given)
+{
+  std::vector<std::string> names;
+  for (const CLI::App* command : program.get_subcommands(nullptr))
+    names.push_back(command->get_name());
+  if (given.starts_with('-') || std::find(names.begin(), names.end(), given) != names.end())
+    return;
+  const std::string nearest = nearest_name(given, names);
+  throw InputError(fmt::format("there is no command \"{}\"; {}there are {}", given,
+                               nearest.empty() ? "" : "did you mean " + nearest + "? ",
+                               fmt::join(names, ", ")));
+}
+
+//! What shows the options: of the command, if one was given.
+std::string help_of(const CLI::App& program)
+{
+  const std::vector<CLI::App*> given = program.get_subcommands();
+  return given.empty() ? "birdstrike --help" : "birdstrike " + given.front()->get_name() + " --help";
+}
+
+} // namespace
 
 int main(int argc, char** argv)
 {
-  using namespace birdstrike;
   sleep_at_barriers(argv);
   CLI::App program(
       "Bird strike by smoothed particle hydrodynamics: from a CAD mesh of a bird to its impact, a ParaView "
@@ -35,12 +66,14 @@ int main(int argc, char** argv)
 
   int status = 1;
   try {
+    if (argc > 1)
+      require_known_command(program, argv[1]);
     program.parse(argc, argv);
     return 0;
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) // --help, --version
       return program.exit(error);
-    std::fprintf(stderr, "birdstrike: error: %s; see birdstrike --help\n", error.what());
+    std::fprintf(stderr, "birdstrike: error: %s; see %s\n", error.what(), help_of(program).c_str());
     return 2;
   } catch (const InputError& error) {
     std::fprintf(stderr, "birdstrike: error: %s\n", error.what());

@@ -2,6 +2,7 @@
 // The datasets in a data object, with their names.
 #include "DatasetLeaves.h"
 
+#include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
@@ -10,7 +11,10 @@
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
+#include "vtkPointData.h"
 #include "vtkSmartPointer.h"
+
+#include <set>
 
 namespace {
 
@@ -59,6 +63,31 @@ std::vector<DatasetLeaf> DatasetLeaves(vtkDataObject* data)
     add(leaf, {}, 0);
   }
   return leaves;
+}
+
+std::string ArraysOf(const std::vector<DatasetLeaf>& leaves)
+{
+  std::set<std::string> points, cells;
+  const auto gather = [](vtkDataSetAttributes* data, std::set<std::string>& names) {
+    for (int k = 0; k < data->GetNumberOfArrays(); ++k)
+      if (vtkDataArray* array = data->GetArray(k); array && array->GetName())
+        if (std::string(array->GetName()) != vtkDataSetAttributes::GhostArrayName())
+          names.insert("'" + std::string(array->GetName()) + "'");
+  };
+  for (const DatasetLeaf& leaf : leaves) {
+    gather(leaf.Data->GetPointData(), points);
+    gather(leaf.Data->GetCellData(), cells);
+  }
+  std::string text;
+  for (const auto& [names, kind] : {std::pair(&points, "point"), std::pair(&cells, "cell")}) {
+    std::string list;
+    for (const std::string& name : *names)
+      list += (list.empty() ? " " : ", ") + name;
+    if (!list.empty())
+      text += (text.empty() ? std::string("; it has the ") : std::string(" and the ")) + kind +
+              (names->size() > 1 ? " arrays" : " array") + list;
+  }
+  return text;
 }
 
 void CopyLeaves(vtkDataObject* from, vtkDataObject* to)

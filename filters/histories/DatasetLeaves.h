@@ -21,6 +21,10 @@ std::vector<DatasetLeaf> DatasetLeaves(vtkDataObject* data);
 //! Shallow copies of all leaves in the same structure, so that arrays can be added to them.
 void CopyLeaves(vtkDataObject* from, vtkDataObject* to);
 
+//! "; it has the point arrays 'a', 'b' and the cell array 'c'", of all leaves, for a message that asks for one; empty if there
+//! is none.
+std::string ArraysOf(const std::vector<DatasetLeaf>& leaves);
+
 //! Whether it is a cloud of points: no cells at all, or none but vertices.
 bool IsPointCloud(vtkDataSet* data);
 

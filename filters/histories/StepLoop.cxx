@@ -21,7 +21,7 @@ std::string LimitTimes(std::vector<double>& times, double start, double end)
       kept.push_back(time);
   std::ostringstream why;
   if (kept.empty()) {
-    why << "No time step lies between StartTime " << start << " s and EndTime " << end
+    why << "No time step lies between Start Time " << start << " s and End Time " << end
         << " s; the series has " << times.size() << " from " << first << " s to " << last << " s.";
     kept.push_back(first);
   }

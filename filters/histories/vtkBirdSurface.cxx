@@ -132,10 +132,10 @@ bool vtkBirdSurface::CheckProperties()
     vtkErrorMacro(<< name << " is " << value << "; it must lie between " << low << " and " << high << ".");
     return false;
   };
-  return within("Level", this->Level, 0.05, 0.95) && within("GridShare", this->GridShare, 0.05, 2) &&
-         within("SmoothingFactor", this->SmoothingFactor, 0.1, 10) &&
-         within("SmoothingLength", this->SmoothingLength, 0, 1e6) &&
-         within("MemoryLimit", this->MemoryLimit, 1, 1e9);
+  return within("Level", this->Level, 0.05, 0.95) && within("Grid Share", this->GridShare, 0.05, 2) &&
+         within("Smoothing Factor", this->SmoothingFactor, 0.1, 10) &&
+         within("Smoothing Length", this->SmoothingLength, 0, 1e6) &&
+         within("Memory Limit", this->MemoryLimit, 1, 1e9);
 }
 
 // Once for each state of the properties, not at every step of a film.
@@ -164,8 +164,9 @@ bool vtkBirdSurface::FindLeaves(vtkDataObject* input, Particles& particles)
     vtkErrorMacro(
         "None of the " << leaves.size() << " datasets of the input has the point array '"
                        << this->SmoothingLengthArrayName
-                       << "', and none is a cloud of points; set SmoothingLengthArrayName to the array that "
-                          "holds the smoothing length of the particles.");
+                       << "', and none is a cloud of points; set Smoothing Length Array to the array that "
+                          "holds the smoothing length of the particles"
+                       << ArraysOf(leaves) << ".");
     return false;
   }
   particles.Smoothing = this->SmoothingLength > 0 ? this->SmoothingLength : SmoothingOverSpacing * spacing;
@@ -173,14 +174,14 @@ bool vtkBirdSurface::FindLeaves(vtkDataObject* input, Particles& particles)
     vtkErrorMacro(
         "The particles have neither the point array '"
         << this->SmoothingLengthArrayName
-        << "' nor the field array 'spacing'; set SmoothingLength to some 1.2 times the distance between "
+        << "' nor the field array 'spacing'; set Smoothing Length to some 1.2 times the distance between "
            "neighbours, in metres.");
     return false;
   }
   std::ostringstream text;
   text << "The particles have no point array '" << this->SmoothingLengthArrayName
        << "': " << particles.Smoothing << " m is taken as the smoothing length of all, "
-       << (this->SmoothingLength > 0 ? "as SmoothingLength says." : "1.2 times the field array 'spacing'.");
+       << (this->SmoothingLength > 0 ? "as Smoothing Length says." : "1.2 times the field array 'spacing'.");
   this->Warn(text.str());
   return true;
 }
@@ -236,10 +237,9 @@ bool vtkBirdSurface::MakeSurfaces(const Particles& particles, vtkMultiBlockDataS
     for (vtkDataSet* leaf : particles.Leaves) {
       parts.push_back(leaf->GetPointData()->GetArray(this->PartArrayName.c_str()));
       if (!parts.back() || parts.back()->GetNumberOfTuples() < leaf->GetNumberOfPoints()) {
-        vtkErrorMacro(
-            "The particles have no point array '"
-            << this->PartArrayName
-            << "' to tell the parts apart; set PartArrayName, or make one surface of all particles.");
+        vtkErrorMacro("The particles have no point array '"
+                      << this->PartArrayName
+                      << "' to tell the parts apart; set Part Array, or make one surface of all particles.");
         return false;
       }
     }
@@ -326,10 +326,10 @@ int vtkBirdSurface::RequestData(vtkInformation*, vtkInformationVector** inputs, 
       fine = this->MakeSurfaces(particles, output);
   } catch (const SkinTooLarge& large) {
     vtkErrorMacro(<< large.what() << ", which does not fit into " << this->MemoryLimit
-                  << " MB; raise GridShare for a coarser grid, or MemoryLimit.");
+                  << " MB; raise Grid Share for a coarser grid, or Memory Limit.");
   } catch (const std::bad_alloc&) {
     vtkErrorMacro(
-        "The memory of this machine does not do for the surface; raise GridShare for a coarser grid.");
+        "The memory of this machine does not do for the surface; raise Grid Share for a coarser grid.");
   }
   this->Warned = this->GetMTime();
   if (!fine)

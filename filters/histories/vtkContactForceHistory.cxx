@@ -224,7 +224,7 @@ bool vtkContactForceHistory::AddTimeStep(double time, const std::vector<vtkDataS
     if (!this->CheckRegion())
       return false;
     if (!(this->RiseTime >= 0)) {
-      vtkErrorMacro("RiseTime is " << this->RiseTime << " s; it cannot be negative, and 0 is no filter.");
+      vtkErrorMacro("Rise Time is " << this->RiseTime << " s; it cannot be negative, and 0 is no filter.");
       return false;
     }
   }
@@ -262,7 +262,8 @@ bool vtkContactForceHistory::FillTable(vtkTable* table)
   if (!this->Found) {
     vtkErrorMacro("No dataset of the input has the cell or point array '"
                   << this->ForceArrayName << "' at any of its " << this->Rows.size()
-                  << " time steps; set ForceArrayName to the array that holds the contact force.");
+                  << " time steps; set Force Array to the array that holds the contact force"
+                  << this->GetArrays() << ".");
     return false;
   }
   const auto column = [&](auto value) {

@@ -100,10 +100,10 @@ bool vtkFragments::CheckProperties()
     return false;
   };
   return within("Kind", this->Kind, ParticlesAndCells, OnlyCells) &&
-         within("ReachFactor", this->ReachFactor, 0.1, 100) &&
-         within("SmoothingLength", this->SmoothingLength, 0, 1e6) &&
-         within("Density", this->Density, 0, 1e6) &&
-         within("MinimumCount", this->MinimumCount, 1, std::numeric_limits<int>::max());
+         within("Reach Factor", this->ReachFactor, 0.1, 100) &&
+         within("Smoothing Length", this->SmoothingLength, 0, 1e6) &&
+         within("Target Density", this->Density, 0, 1e6) &&
+         within("Minimum Count", this->MinimumCount, 1, std::numeric_limits<int>::max());
 }
 
 // Once for each state of the properties, not at every step of a film.
@@ -130,7 +130,7 @@ bool vtkFragments::AddParticles(const DatasetLeaf& leaf, vtkTable* table)
   if (!lengths && !(same > 0 && std::isfinite(same))) {
     vtkErrorMacro(
         << who << "has neither the point array '" << this->SmoothingLengthArrayName
-        << "' nor the field array 'spacing'; set SmoothingLength to some 1.2 times the distance between "
+        << "' nor the field array 'spacing'; set Smoothing Length to some 1.2 times the distance between "
            "neighbours, in metres.");
     return false;
   }
@@ -221,10 +221,11 @@ bool vtkFragments::AddCells(const DatasetLeaf& leaf, vtkTable* table)
   // A rigid target has neither, and nobody asks for them.
   const bool rigid = data->GetFieldData() && data->GetFieldData()->GetArray("rigid");
   if (!cells.Massive && !rigid)
-    this->Warn(who +
-               "has cells whose mass is not known, and masses, momenta and energies are NaN: set Density, or "
-               "DensityArrayName to the cell array of the density; shells also need the cell array '" +
-               this->ThicknessArrayName + "'.");
+    this->Warn(
+        who +
+        "has cells whose mass is not known, and masses, momenta and energies are NaN: set Target Density, or "
+        "Density Array to the cell array of the density; shells also need the cell array '" +
+        this->ThicknessArrayName + "'.");
   if (!sources.Velocity && !rigid)
     this->Warn(who + "has no point array '" + this->VelocityArrayName +
                "' of 3 components: velocities, momenta and energies are NaN.");

@@ -155,7 +155,8 @@ bool vtkMaximumPressureHistory::FillTable(vtkTable* table)
   if (!this->Found) {
     vtkErrorMacro("No dataset of the input has the point array '"
                   << this->PressureArrayName << "' at any of its " << this->RowTimes.size()
-                  << " time steps; set PressureArrayName to the array that holds the pressure.");
+                  << " time steps; set Pressure Array to the array that holds the pressure"
+                  << this->GetArrays() << ".");
     return false;
   }
   std::vector<double> all, places[3];

@@ -216,7 +216,7 @@ int vtkPeakOverTime::RequestData(vtkInformation* request, vtkInformationVector**
   if (fine && this->Peaks.empty() && this->Lost.empty() && this->Done > 0) {
     vtkErrorMacro("No dataset of the input has the point or cell array '"
                   << this->ArrayName << "' at any of the " << this->Done
-                  << " time steps; set ArrayName to one that it has.");
+                  << " time steps; set Array to another" << ArraysOf(DatasetLeaves(input)) << ".");
     fine = false;
   }
   if (fine && !this->Absent.empty() && !this->AbsenceTold) {

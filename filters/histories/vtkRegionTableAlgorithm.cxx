@@ -32,7 +32,7 @@ bool vtkRegionTableAlgorithm::CheckRegion()
   }
   for (const double size : this->BoxSize)
     if (this->Region == Box && !(size > 0)) {
-      vtkErrorMacro("The region's BoxSize has an edge of " << size << " m; all three must be above 0.");
+      vtkErrorMacro("The region's Box Size has an edge of " << size << " m; all three must be above 0.");
       return false;
     }
   const double length = std::hypot(this->Axis[0], this->Axis[1], this->Axis[2]);

@@ -100,7 +100,7 @@ void vtkTargetDeflectionHistory::Clear()
 bool vtkTargetDeflectionHistory::CheckProperties()
 {
   if (!(this->WindowShare >= 0 && this->WindowShare <= 1)) {
-    vtkErrorMacro("WindowShare is " << this->WindowShare << "; it is a share of the series' time, 0 to 1.");
+    vtkErrorMacro("Window Share is " << this->WindowShare << "; it is a share of the series' time, 0 to 1.");
     return false;
   }
   const double length = std::hypot(this->Direction[0], this->Direction[1], this->Direction[2]);
@@ -113,7 +113,8 @@ bool vtkTargetDeflectionHistory::CheckProperties()
   const Vector line{this->LineEnd[0] - this->LineStart[0], this->LineEnd[1] - this->LineStart[1],
                     this->LineEnd[2] - this->LineStart[2]};
   if (this->UseLine && !(Length(line) > 0 && std::isfinite(Length(line)))) {
-    vtkErrorMacro("The line has no length: LineStart and LineEnd are the same place, or no finite numbers.");
+    vtkErrorMacro(
+        "The line has no length: Line Start and Line End are the same place, or no finite numbers.");
     return false;
   }
   std::set<std::string> names;
@@ -305,7 +306,8 @@ bool vtkTargetDeflectionHistory::FillTable(vtkTable* table)
   if (!this->Found) {
     vtkErrorMacro("No dataset of the input has the point array '"
                   << this->DisplacementArrayName << "' at any of its " << this->RowTimes.size()
-                  << " time steps; set DisplacementArrayName to the array that holds the displacement.");
+                  << " time steps; set Displacement Array to the array that holds the displacement"
+                  << this->GetArrays() << ".");
     return false;
   }
   this->WarnOfAbsence(this->DisplacementArrayName);

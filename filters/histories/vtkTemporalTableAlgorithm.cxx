@@ -133,6 +133,7 @@ int vtkTemporalTableAlgorithm::RequestData(vtkInformation* request, vtkInformati
   }
   if (this->Step == 0) {
     this->Absent.clear();
+    this->Arrays = ArraysOf(DatasetLeaves(input));
     this->Clear();
   }
 

@@ -66,6 +66,9 @@ protected:
   void NoteAbsence(double time) { this->Absent.push_back(time); }
   void WarnOfAbsence(const std::string& array);
 
+  //! What arrays the first step has, for a message that asks for one of them; see DatasetLeaves.h.
+  const std::string& GetArrays() const { return this->Arrays; }
+
   //! Append the column of times.
   void AddTimes(vtkTable* table, const std::vector<double>& times) const
   {
@@ -93,5 +96,6 @@ private:
   std::vector<double> Times; // those of the input's TIME_STEPS that are read; empty if it has none
   std::string NoTimes;       // why none is read of an input that has some; else empty
   std::vector<double> Absent;
+  std::string Arrays;
   std::size_t Step = 0; // the one asked for now; 0 again after the last
 };

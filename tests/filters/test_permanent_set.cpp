@@ -267,9 +267,9 @@ TEST_CASE("wrong properties and arrays are named, and the next try starts well",
     return first;
   };
   run.filter->SetWindowShare(1.5);
-  CHECK_THAT(complaint(), Contains("WindowShare is 1.5") && Contains("0 to 1"));
+  CHECK_THAT(complaint(), Contains("Window Share is 1.5") && Contains("0 to 1"));
   run.filter->SetWindowShare(none);
-  CHECK_THAT(complaint(), Contains("WindowShare"));
+  CHECK_THAT(complaint(), Contains("Window Share"));
   run.filter->SetWindowShare(0.2);
   run.filter->SetDirection(none, 0, 0);
   CHECK_THAT(complaint(), Contains("Direction"));

@@ -314,7 +314,7 @@ TEST_CASE("other solvers' particles without a smoothing length take it from the 
   Messages messages;
   const auto watch = [&](vtkBirdSurface& f) { messages.watch(f); };
   CHECK(skins_of(data, watch)->GetNumberOfBlocks() == 0);
-  CHECK_THAT(messages.text(), Contains("'smoothing_length'") && Contains("set SmoothingLength"));
+  CHECK_THAT(messages.text(), Contains("'smoothing_length'") && Contains("set Smoothing Length"));
 
   vtkNew<vtkDoubleArray> spacing;
   spacing->SetName("spacing");
@@ -345,7 +345,7 @@ TEST_CASE("what cannot be done leaves an empty output and says why", "[filters][
   };
   CHECK_THAT(message(bird, [](auto& f) { f.SetLevel(1.5); }),
              Contains("Level is 1.5") && Contains("between"));
-  CHECK_THAT(message(bird, [](auto& f) { f.SetGridShare(0); }), Contains("GridShare is 0"));
+  CHECK_THAT(message(bird, [](auto& f) { f.SetGridShare(0); }), Contains("Grid Share is 0"));
   CHECK_THAT(message(plate, [](auto&) {}), Contains("'smoothing_length'"));
   CHECK_THAT(message(to_data({}), [](auto&) {}), Contains("no particle"));
   CHECK_THAT(message(to_data(made_ball(0.05, 0.003)),
@@ -353,7 +353,7 @@ TEST_CASE("what cannot be done leaves an empty output and says why", "[filters][
                        f.SetMemoryLimit(1);
                        f.SetGridShare(0.2);
                      }),
-             Contains("does not fit into 1 MB") && Contains("raise GridShare"));
+             Contains("does not fit into 1 MB") && Contains("raise Grid Share"));
   CHECK_THAT(message(bird,
                      [](auto& f) {
                        f.SurfacePerPartOn();

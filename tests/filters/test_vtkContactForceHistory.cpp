@@ -257,7 +257,7 @@ TEST_CASE("what makes no sense is an error and an empty table", "[filters][conta
       {{[](vtkContactForceHistory& f) { f.SetForceArrayName("load"); }, "'load' at any of its 2 time steps"},
        {[](vtkContactForceHistory& f) { f.SetForceArrayName("part"); },
         "'part' has 1 components; a force has three"},
-       {[](vtkContactForceHistory& f) { f.SetRiseTime(-1); }, "RiseTime is -1 s"},
+       {[](vtkContactForceHistory& f) { f.SetRiseTime(-1); }, "Rise Time is -1 s"},
        {[](vtkContactForceHistory& f) {
           f.SetRegion(vtkContactForceHistory::Cylinder);
           f.SetAxis(0, 0, 0);
@@ -267,12 +267,12 @@ TEST_CASE("what makes no sense is an error and an empty table", "[filters][conta
           f.SetRegion(vtkContactForceHistory::Box);
           f.SetBoxSize(1, 0, 1);
         },
-        "BoxSize has an edge of 0 m"},
+        "Box Size has an edge of 0 m"},
        {[](vtkContactForceHistory& f) {
           f.LimitTimeOn();
           f.SetStartTime(5);
         },
-        "No time step lies between StartTime 5 s and EndTime 1 s; the series has 2 from 0 s to 1 s"}}));
+        "No time step lies between Start Time 5 s and End Time 1 s; the series has 2 from 0 s to 1 s"}}));
   set(*run.filter);
   CHECK(run.table().GetNumberOfColumns() == 0);
   CHECK_THAT(run.errors->first(), Contains(words));

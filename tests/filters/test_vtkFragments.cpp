@@ -294,7 +294,7 @@ TEST_CASE("what is missing is NaN and is said once", "[filters][fragments]")
   CHECK(result.at(0, "centre_x[m]") == Approx(1));
 
   const Result sheet = fragments_of(made_sheet(2));
-  CHECK_THAT(sheet.messages, Contains("set Density"));
+  CHECK_THAT(sheet.messages, Contains("set Target Density"));
   REQUIRE(sheet.table->GetNumberOfRows() == 1);
   CHECK(std::isnan(sheet.at(0, "mass[kg]")));
   CHECK(sheet.at(0, "velocity_x[m/s]") == Approx(10));
@@ -326,11 +326,11 @@ TEST_CASE("particles at no finite place are in no fragment; wrong settings say s
     return r.messages;
   };
   auto fine = to_data(made_ball(0.03, 0.01));
-  CHECK_THAT(failed(fine, [](auto& f) { f.SetReachFactor(0); }), Contains("ReachFactor is 0"));
-  CHECK_THAT(failed(fine, [](auto& f) { f.SetMinimumCount(0); }), Contains("MinimumCount is 0"));
+  CHECK_THAT(failed(fine, [](auto& f) { f.SetReachFactor(0); }), Contains("Reach Factor is 0"));
+  CHECK_THAT(failed(fine, [](auto& f) { f.SetMinimumCount(0); }), Contains("Minimum Count is 0"));
   CHECK_THAT(failed(fine, [](auto& f) { f.SetKind(vtkFragments::OnlyCells); }), Contains("holds cells"));
   fine->GetPointData()->RemoveArray("smoothing_length");
-  CHECK_THAT(failed(fine, [](auto&) {}), Contains("set SmoothingLength"));
+  CHECK_THAT(failed(fine, [](auto&) {}), Contains("set Smoothing Length"));
 }
 
 TEST_CASE("an empty dataset and a rigid target are nothing to complain of", "[filters][fragments]")

@@ -227,7 +227,7 @@ TEST_CASE("a range of time limits what is read, a missing array is an error", "[
   run.filter->SetStartTime(8);
   run.filter->SetEndTime(9);
   CHECK(run.at(3)->GetNumberOfPoints() == 0);
-  CHECK_THAT(run.errors->first(), Contains("No time step lies between StartTime 8 s and EndTime 9 s"));
+  CHECK_THAT(run.errors->first(), Contains("No time step lies between Start Time 8 s and End Time 9 s"));
   Run other({0, 1}, three);
   other.filter->SetArrayName("temperature");
   CHECK(other.at(0)->GetNumberOfPoints() == 0);
