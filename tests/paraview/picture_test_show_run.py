@@ -4,6 +4,7 @@
 import contextlib
 import os
 import pathlib
+import shutil
 import subprocess
 
 import in_paraview as t
@@ -70,6 +71,19 @@ def share_of_colour(pixels):
     return vivid.mean(), len(numpy.unique(pixels.reshape(-1, 3), axis=0))
 
 
+def luminance(pixels):
+    """0 to 1, of colours in sRGB."""
+    share = pixels / 255
+    return numpy.where(share <= 0.04045, share / 12.92, ((share + 0.055) / 1.055) ** 2.4) @ [0.2126, 0.7152, 0.0722]
+
+
+def check_charts(view, share):
+    """Lines, each in half of the width."""
+    for half in (view[:, :600], view[:, 600:]):
+        vivid, _ = share_of_colour(half)
+        assert share < vivid < 0.2, vivid
+
+
 with t.folder() as folder:
     for name, text in (("stiff", bird + end), ("soft", bird + soft + end)):
         with open(f"{folder}/{name}.toml", "w") as file:
@@ -83,10 +97,17 @@ with t.folder() as folder:
     top = int(0.6 * 800)
     for view in (pixels[:top, :600], pixels[:top, 600:]):  # bird, target
         vivid, colours = share_of_colour(view)
-        assert vivid > 0.02 and colours > 200, (vivid, colours)
-    for view in (pixels[top:, :600], pixels[top:, 600:]):  # lines of the charts
-        vivid, colours = share_of_colour(view)
-        assert 0.0005 < vivid < 0.2, vivid
+        assert vivid > 0.01 and colours > 200, (vivid, colours)
+    check_charts(pixels[top:], 0.0005)
+    # The plate is in the view as a whole, and stands out from grey wings.
+    side = pixels[:top, :599]
+    assert all(edge.min() == 255 for edge in (side[:4], side[-4:], side[:, :4], side[:, -4:]))
+    plate = side[60:-60, 150:]
+    plate = plate[(plate.max(axis=2) - plate.min(axis=2) < 25) & (plate.min(axis=2) > 128) & (plate.min(axis=2) < 245)]
+    assert len(plate) > 2000, len(plate)
+    wing = luminance(numpy.array([0x8A, 0x8A, 0x8A]))
+    contrast = (numpy.quantile(luminance(plate), 0.1) + 0.05) / (wing + 0.05)
+    assert contrast >= 2, contrast
     brown, green = [numpy.abs(pixels[:top, :120] - colour).max(axis=2).min() for colour in
                     ((0xcf, 0x8f, 0x3c), (0x00, 0x9e, 0x73))]
     assert brown <= 2 and green <= 2, "the legend of parts has its colours"
@@ -96,14 +117,27 @@ with t.folder() as folder:
     assert status == 0, said
     for view in (read(f"{folder}/soft.png")[:top, :600], read(f"{folder}/soft.png")[:top, 600:]):
         vivid, colours = share_of_colour(view)
-        assert vivid > 0.02 and colours > 200, (vivid, colours)
+        assert vivid > 0.01 and colours > 200, (vivid, colours)
 
     plugin = next((t.build / "paraview").rglob("BirdStrike.so"))
     status, said = show(f"{folder}/stiff", "--organs", "--plugin", plugin, "--save", f"{folder}/organs.png", "--size",
                         "800x600", "--time", "0")
     assert status == 0, said
     vivid, colours = share_of_colour(read(f"{folder}/organs.png")[:360, 100:400])  # beside the legend
-    assert vivid > 0.02 and colours > 200, (vivid, colours)
+    assert vivid > 0.01 and colours > 200, (vivid, colours)
+
+    # A run that was killed while it wrote a line of its table.
+    killed = shutil.copytree(f"{folder}/stiff", f"{folder}/killed")
+    text = pathlib.Path(killed, "histories.csv").read_text()
+    pathlib.Path(killed, "histories.csv").write_text(text[:text.index("\n", len(text) * 3 // 4) - 50])
+    status, said = show(killed, "--save", f"{folder}/killed.png", "--size", "1200x800")
+    assert status == 0, said
+    check_charts(read(f"{folder}/killed.png")[top:], 0.0004)
+
+    status, said = show(f"{folder}/stiff", "--target", "displacement", "--film", f"{folder}/film.avi", "--size", "400x300")
+    assert status == 0, said
+    lines = said.splitlines()
+    assert lines == ["show_run.py: deflection is 0 in all frames", f"film {folder}/film.avi"], said
 
     status, said = show(f"{folder}/nowhere", "--save", f"{folder}/x.png")
     assert status != 0 and "nowhere does not exist" in said, said
