@@ -191,21 +191,32 @@ std::string without_folders(const std::string& text)
 nlohmann::ordered_json summary_so_far(const History& history)
 {
   auto summary = nlohmann::ordered_json::object();
-  const auto add_peak = [&](const std::string& of, const std::string& part, std::size_t column) {
+  struct Largest
+  {
     double value = -INFINITY, time = 0;
-    for (std::size_t row = 0; row < history.rows(); ++row)
-      if (history.at(row, column) > value) {
-        value = history.at(row, column);
-        time = history.at(row, 0);
-      }
-    if (std::isfinite(value))
-      summary[of][part] = {{"value", value}, {"time", time}};
+  };
+  const auto largest = [&](std::size_t column) {
+    Largest found;
+    for (std::size_t row = 0; column < history.columns.size() && row < history.rows(); ++row)
+      if (history.at(row, column) > found.value)
+        found = {history.at(row, column), history.at(row, 0)};
+    return found;
+  };
+  const auto add_peak = [&](const std::string& of, const std::string& part, std::size_t column) {
+    if (const Largest peak = largest(column); std::isfinite(peak.value))
+      summary[of][part] = {{"value", peak.value}, {"time", peak.time}};
   };
   for (std::size_t column = 0; column < history.columns.size(); ++column)
     for (const auto& [prefix, of] : {std::pair<std::string, const char*>{"max_pressure_", "peak_pressure"},
                                      {"max_mean_pressure_", "peak_mean_pressure"}})
       if (const std::string& name = history.columns[column].name; name.starts_with(prefix))
         add_peak(of, name.substr(prefix.size()), column);
+  if (const Largest force = largest(history.find("contact_force_x")); std::isfinite(force.value))
+    summary["peak_contact_force"] = force.value;
+  if (const Largest deflection = largest(history.find("max_deflection")); std::isfinite(deflection.value))
+    summary["target"] = {{"max_deflection", deflection.value}, {"max_deflection_time", deflection.time}};
+  if (const Largest eroded = largest(history.find("eroded_elements")); std::isfinite(eroded.value))
+    summary["target"]["eroded_elements"] = eroded.value;
   return summary;
 }
 

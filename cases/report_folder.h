@@ -29,7 +29,8 @@ struct ReportFolder
 //! \throw InputError if there is no such folder, or it is not the folder of one run; the message says what it seems to be
 ReportFolder read_report_folder(const std::filesystem::path& folder);
 
-//! What a table of histories tells of a summary: the peak pressures, under the keys that summary.json has.
+//! What a table of histories tells of a summary: peak pressures, largest force and deflection, broken elements, under the keys
+//! that summary.json has.
 nlohmann::ordered_json summary_so_far(const History& history);
 
 //! The text without the folders of absolute paths: "/home/me/bird.glb: 3 solids" becomes "bird.glb: 3 solids".

@@ -135,6 +135,7 @@ ReportView make_report_view(const std::filesystem::path& pvd, const ViewOptions&
   std::vector<std::size_t> shown;
   std::unique_ptr<Tracks> bird, target;
   Json json{{"times", Json::array()}};
+  bool late_target = false;
   for (const std::size_t step :
        evenly(index.steps.size(), static_cast<std::size_t>(std::max(options.frames, 2))))
   {
@@ -165,6 +166,8 @@ ReportView make_report_view(const std::filesystem::path& pvd, const ViewOptions&
         require(frame.target != nullptr, fmt::format("{}: frame {} has no target", pvd.string(), step));
         target->check(*frame.target);
         target->append(*frame.target);
+      } else if (frame.target) {
+        late_target = true;
       }
       bird->append(*frame.bird);
       json["times"].push_back(frame.time);
@@ -172,6 +175,8 @@ ReportView make_report_view(const std::filesystem::path& pvd, const ViewOptions&
       view.gaps.push_back(fmt::format("Frame {} is left out: {}", step, error.what()));
     }
   }
+  if (late_target)
+    view.gaps.emplace_back("The target is in later frames but not in the first: the view does not show it.");
   view.frames = static_cast<int>(json["times"].size());
   view.target = target != nullptr;
   if (view.frames == 0)

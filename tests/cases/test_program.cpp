@@ -284,3 +284,16 @@ TEST_CASE("no output is written where one of them cannot be made", "[cases][prog
   CHECK(outcome.status == 2);
   CHECK_FALSE(fs::exists(folder.path / "bird.glb"));
 }
+
+TEST_CASE("an unknown command is answered with the nearest, a wrong option with its command's help",
+          "[cases][program][errors]")
+{
+  const scratch::Folder folder;
+  const Outcome wrong = program(folder.path, "rendr out");
+  CHECK(wrong.status == 2);
+  CHECK_THAT(wrong.output, Catch::Contains("no command \"rendr\"; did you mean render?"));
+  const Outcome option = program(folder.path, "report out --frame 5");
+  CHECK(option.status == 2);
+  CHECK_THAT(option.output, Catch::Contains("--frame") && Catch::Contains("birdstrike report --help"));
+  CHECK(program(folder.path, "").status == 2);
+}

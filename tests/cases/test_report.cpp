@@ -160,6 +160,7 @@ TEST_CASE("a run that was stopped gives a page that says so", "[cases][report]")
   const auto summary = nlohmann::json::parse(scratch::read(box_run() / "summary.json"));
   CHECK(values_on(page).count(summary["peak_pressure"]["torso"]["value"].get<double>()) == 1);
   CHECK(values_on(page).count(summary["peak_pressure"]["torso"]["time"].get<double>()) == 1);
+  CHECK(values_on(page).count(summary["peak_contact_force"].get<double>()) == 1);
   CHECK_THAT(said,
              Catch::Contains("summary.json is missing") && Catch::Contains("figures/ holds no pictures"));
   CHECK(read_history_table(copy.run / "histories.csv").rows() ==
