@@ -242,7 +242,8 @@ class Histories(unittest.TestCase):
             history.StartTime = history.EndTime = 1
             with pv.Messages(history) as said:
                 self.assertEqual(pv.table(history), {})
-            self.assertIn("No time step lies between StartTime 1 s and EndTime 1 s; the series has 13 from 0 s to", str(said))
+            self.assertIn("No time step lies between Start Time 1 s and End Time 1 s; the series has 13 from 0 s",
+                          str(said))
         peaks = PeakOverTime(Input=series, Array="contact_force", LimitTime=1, StartTime=0, EndTime=0)
         for leaf in pv.leaves(pv.data_at(peaks, 6e-4)):
             if leaf.GetCellData().HasArray("peak_contact_force"):
@@ -283,7 +284,7 @@ class Histories(unittest.TestCase):
                 self.assertEqual(name, {"Density": "TargetDensity"}.get(own, own))
 
     def test_array_that_is_not_there(self):
-        # Another solver's series has arrays of the right kind under other names. Nothing but the user may choose one of them.
+        # Another solver's series has arrays of the right kind under other names. None but the user may choose one of them.
         foreign = foreign_series()
         for make, name, array in ((MaximumPressureHistory, "PressureArray", "pressure"),
                                   (TargetDeflectionHistory, "DisplacementArray", "displacement"),
@@ -324,7 +325,8 @@ class Histories(unittest.TestCase):
         changed = pv.open_series(index)
         deflection = pv.table(TargetDeflectionHistory(Input=changed))["max_deflection[m]"]
         self.assertEqual([math.isnan(value) for value in deflection], [False, True, False])
-        peaks = PeakOverTime(Input=changed, Array="velocity")  # points of the target, then particles
+        # Points of the target, then particles whose numbers are not looked at.
+        peaks = PeakOverTime(Input=changed, Array="velocity", IdArray="nothing")
         with pv.Messages(peaks) as said:
             pv.data_at(peaks, 0)
         self.assertIn("cannot be followed and have no peak", str(said))

@@ -44,7 +44,7 @@ def tearDownModule():
 
 
 def ends_of_frames(series):
-    """Where in its file each frame of a packed series ends: 16 bytes, then frames of 40 bytes, which tell the bytes behind them."""
+    """Where each frame of a packed series ends: 16 bytes, then each frame has 40 bytes, which tell how many follow."""
     place, ends = 16, []
     while place < len(series):
         place += 40 + struct.unpack_from("<QQ", series, place)[1]
@@ -88,7 +88,8 @@ class PackedSeries(unittest.TestCase):
         pressures = times_and_pressures(run / "run.bss")[1]
         # Cut in a frame, at a frame's end, a byte before it, and within the next frame's header.
         half = bisect.bisect_right(ends, len(whole) // 2)
-        for k, (size, frames) in enumerate(((len(whole) // 2, half), (ends[29], 30), (ends[29] - 1, 29), (ends[29] + 9, 30))):
+        cuts = ((len(whole) // 2, half), (ends[29], 30), (ends[29] - 1, 29), (ends[29] + 9, 30))
+        for k, (size, frames) in enumerate(cuts):
             cut = run / f"cut{k}.bss"
             cut.write_bytes(whole[:size])
             self.assertEqual(times_and_pressures(cut), (times[:frames], pressures[:frames]))
