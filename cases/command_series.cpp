@@ -116,7 +116,12 @@ void add_series_command(CLI::App& program)
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
   command->add_flag("--quiet", options->quiet, "Say nothing on the screen but errors");
-  command->callback([options] { convert(*options); });
+  command->callback([options, command] {
+    for (const auto& [option, form] : {std::pair("--compression", "packed"), std::pair("--accuracy", "vtu")})
+      require(command->count(option) == 0 || options->form.format != form,
+              fmt::format("{} says nothing of --format {}; leave it out", option, form));
+    convert(*options);
+  });
 }
 
 } // namespace birdstrike

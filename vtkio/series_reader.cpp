@@ -127,7 +127,7 @@ vtkSmartPointer<vtkUnstructuredGrid> read_grid(const fs::path& vtu)
       !errors->any() && reader->GetErrorCode() == vtkErrorCode::NoError,
       "cannot read " + vtu.string() + ": it is damaged or is not a .vtu file (" +
           (errors->any() ? errors->first() : vtkErrorCode::GetStringFromErrorCode(reader->GetErrorCode())) +
-          ")");
+          "); run the case again, or take its line out of the .pvd");
   return reader->GetOutput();
 }
 

@@ -40,6 +40,16 @@ TEST_CASE("a series does not go into the folder of a run", "[cases][series][erro
   CHECK(fs::exists(run.folder.path / "other/frames/bird_0000.vtu"));
 }
 
+TEST_CASE("options that say nothing of the format are refused", "[cases][series][errors]")
+{
+  const scratch::Folder folder;
+  for (const std::string options : {"--format packed --compression lzma", "--accuracy 1e-3"}) {
+    const Outcome outcome = program(folder.path, "series out -o small " + options);
+    CHECK(outcome.status == 2);
+    CHECK_THAT(outcome.output, Catch::Contains("says nothing of --format"));
+  }
+}
+
 TEST_CASE("an error on the way leaves no half a series", "[cases][series][errors]")
 {
   const BoxRun run;
