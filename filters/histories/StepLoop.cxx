@@ -13,6 +13,7 @@ std::string LimitTimes(std::vector<double>& times, double start, double end)
 {
   if (times.empty())
     return {};
+  constexpr double endless = 1e29; // filters' default is beyond [s]
   const double first = times.front(), last = times.back();
   const double more = 1e-9 * std::max(std::abs(first), std::abs(last));
   std::vector<double> kept;
@@ -21,8 +22,12 @@ std::string LimitTimes(std::vector<double>& times, double start, double end)
       kept.push_back(time);
   std::ostringstream why;
   if (kept.empty()) {
-    why << "No time step lies between Start Time " << start << " s and End Time " << end
-        << " s; the series has " << times.size() << " from " << first << " s to " << last << " s.";
+    why << "No time step lies ";
+    if (end < endless)
+      why << "between Start Time " << start << " s and End Time " << end;
+    else
+      why << "after Start Time " << start;
+    why << " s; the series has " << times.size() << " from " << first << " s to " << last << " s.";
     kept.push_back(first);
   }
   times = std::move(kept);

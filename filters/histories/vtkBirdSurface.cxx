@@ -292,6 +292,8 @@ bool vtkBirdSurface::MakeSurfaces(const Particles& particles, vtkMultiBlockDataS
     const SphSkin skin = MakeSphSkin(field, spacing, this->Level, this->MemoryLimit * 1e6, within(0.1, 0.8));
     vtkSmartPointer<vtkPolyData> surface = ToPolyData(skin);
     arrays.Interpolate(field, rows, skin.Points, surface->GetPointData(), within(0.8, 1));
+    surface->GetPointData()->SetActiveScalars(
+        this->PartArrayName.c_str()); // ParaView opens it coloured by these
     if (fields)
       surface->GetFieldData()->ShallowCopy(fields);
     std::string name = "bird";

@@ -42,6 +42,7 @@ void vtkPeakOverTime::Forget()
   this->Done = 0;
   this->Peaks.clear();
   this->Lost.clear();
+  this->Numbered.clear();
   this->Absent.clear();
   this->AbsenceTold = false;
   this->ComponentName.clear();
@@ -131,6 +132,18 @@ bool vtkPeakOverTime::Add(double time, vtkDataObject* input)
       this->ComponentName = name                                  ? name
                             : array->GetNumberOfComponents() == 3 ? axes[this->Component]
                                                                   : std::to_string(this->Component);
+    }
+    const bool numbered = this->IdsOf(piece.Data, onPoints) != nullptr;
+    if (this->Numbered.try_emplace(piece.Index, numbered).first->second != numbered) {
+      vtkWarningMacro("The points that carry '" << array->GetName() << "' have numbers, '"
+                                                << this->IdArrayName
+                                                << "', at some times and none at others, first at " << time
+                                                << " s: they cannot be followed and have no peak.");
+      for (const std::string& lost : {piece.Name, std::to_string(piece.Index)}) {
+        this->Lost.insert(lost);
+        this->Peaks.erase(lost);
+      }
+      continue;
     }
     auto& peaks = this->Peaks[key];
     if (!peaks)

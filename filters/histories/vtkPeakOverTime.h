@@ -75,7 +75,7 @@ public:
   vtkBooleanMacro(LimitTime, bool);
   ///@}
 
-  ///@{ First and last time of a limited range [s]. Default 0 and 1.
+  ///@{ First and last time of a limited range [s]. Default 0 and 1e30, the end of the series.
   vtkSetMacro(StartTime, double);
   vtkGetMacro(StartTime, double);
   vtkSetMacro(EndTime, double);
@@ -110,7 +110,7 @@ private:
   std::string IdArrayName = "id";
   bool LimitTime = false;
   double StartTime = 0;
-  double EndTime = 1;
+  double EndTime = 1e30;
 
   std::vector<double> Times; // those of the input's TIME_STEPS that are read
   std::string NoTimes;       // why none is read of an input that has some; else empty
@@ -118,6 +118,7 @@ private:
   std::size_t Wanted = 0;    // steps that must have been for the output asked for
   double Now = 0;            // the time asked for
   std::map<std::string, std::unique_ptr<RunningPeaks>> Peaks; // by KeyOf the leaf
+  std::map<unsigned int, bool> Numbered;                      // whether the leaf of that index had ids
   std::set<std::string> Lost;                                 // leaves that cannot be followed
   std::vector<double> Absent;                                 // times at which no dataset has the array
   bool AbsenceTold = false;

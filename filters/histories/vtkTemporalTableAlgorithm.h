@@ -32,7 +32,7 @@ public:
   vtkBooleanMacro(LimitTime, bool);
   ///@}
 
-  ///@{ First and last time of a limited range [s]. Default 0 and 1.
+  ///@{ First and last time of a limited range [s]. Default 0 and 1e30, the end of the series.
   vtkSetMacro(StartTime, double);
   vtkGetMacro(StartTime, double);
   vtkSetMacro(EndTime, double);
@@ -89,7 +89,7 @@ private:
 
   bool LimitTime = false;
   double StartTime = 0;
-  double EndTime = 1;
+  double EndTime = 1e30;
 
   std::string TimeColumnName = "time[s]";
 

@@ -2,6 +2,7 @@
 // Small structures for the tests of shells, and how to run one by itself.
 #pragma once
 
+#include "core/mesh_target.h"
 #include "core/shells/shells.h"
 
 #include <cmath>
@@ -87,6 +88,13 @@ inline std::size_t node_at(const ShellMesh& mesh, const Vector3& place)
     if ((mesh.points[n] - place).norm() < (mesh.points[best] - place).norm())
       best = n;
   return best;
+}
+
+//! A target of 0.4 m x 0.1 m, 4 elements along y.
+inline MeshTarget strip()
+{
+  ShellMesh mesh = patch(4, 1, [](double u, double v) { return Vector3(0, 0.4 * u, 0.1 * v); });
+  return MeshTarget(Shells(std::move(mesh), {{elastic(70e9, 0.3, 2700), 0.002, 3}}));
 }
 
 } // namespace birdstrike::samples

@@ -10,20 +10,9 @@
 
 using namespace birdstrike;
 
-namespace {
-
-MeshTarget strip()
-{
-  ShellMesh mesh = samples::patch(
-      4, 1, [](double u, double v) { return Vector3(0, 0.4 * u, 0.1 * v); }); // 4 elements along y
-  return MeshTarget(Shells(std::move(mesh), {{samples::elastic(70e9, 0.3, 2700), 0.002, 3}}));
-}
-
-} // namespace
-
 TEST_CASE("the permanent set is what a node swings about, sampled at uneven steps", "[permanent_set]")
 {
-  MeshTarget target = strip();
+  MeshTarget target = samples::strip();
   const std::size_t dent = samples::node_at(target.mesh(), {0, 0.2, 0.1});
   const Vector3 start = target.position(dent), set(0.003, 0, -0.004), swing(0.001, 0, 0);
   PermanentSet gauge(1);
@@ -47,7 +36,7 @@ TEST_CASE("the permanent set is what a node swings about, sampled at uneven step
 
 TEST_CASE("what no element holds any more leaves no set", "[permanent_set]")
 {
-  MeshTarget target = strip();
+  MeshTarget target = samples::strip();
   const std::size_t end = samples::node_at(target.mesh(), {0, 0.4, 0});
   target.shells()->position[end] += Vector3(5, 0, 0); // torn off with the last element
   target.shells()->position[0] += Vector3(0.001, 0, 0);

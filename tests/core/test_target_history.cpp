@@ -11,13 +11,6 @@ using namespace birdstrike;
 
 namespace {
 
-MeshTarget strip()
-{
-  ShellMesh mesh = samples::patch(
-      4, 1, [](double u, double v) { return Vector3(0, 0.4 * u, 0.1 * v); }); // 4 elements along y
-  return MeshTarget(Shells(std::move(mesh), {{samples::elastic(70e9, 0.3, 2700), 0.002, 3}}));
-}
-
 //! The only row, by name.
 struct Row
 {
@@ -57,7 +50,7 @@ TEST_CASE("columns of a target have names of their own and units", "[target_hist
 
 TEST_CASE("the largest deflection has its length and the place before the load", "[target_history]")
 {
-  MeshTarget target = strip();
+  MeshTarget target = samples::strip();
   const std::size_t dent = samples::node_at(target.mesh(), {0, 0.2, 0.1});
   target.shells()->position[dent] += Vector3(0.003, -0.004, 0);
   const Row row(target, {{"dent", dent}, {"corner", 0}}, {}, 0);
@@ -71,7 +64,7 @@ TEST_CASE("the largest deflection has its length and the place before the load",
 
 TEST_CASE("fragments of eroded elements are no deflection", "[target_history]")
 {
-  MeshTarget target = strip();
+  MeshTarget target = samples::strip();
   const std::size_t end = samples::node_at(target.mesh(), {0, 0.4, 0});
   target.shells()->position[end] += Vector3(5, 0, 0); // torn off with the last element
   target.shells()->position[0] += Vector3(0.001, 0, 0);
@@ -108,7 +101,7 @@ TEST_CASE("what the ledger books goes into its columns", "[target_history]")
   ledger.contact = 8;
   ledger.friction = 9;
   ledger.support_impulse = {10, 11, 12};
-  const Row row(strip(), {}, ledger, 13);
+  const Row row(samples::strip(), {}, ledger, 13);
   CHECK(row["target_kinetic_energy"] == 1);
   CHECK(row["target_internal_energy"] == 2);
   CHECK(row["plastic_energy"] == 3);

@@ -272,7 +272,7 @@ TEST_CASE("what makes no sense is an error and an empty table", "[filters][conta
           f.LimitTimeOn();
           f.SetStartTime(5);
         },
-        "No time step lies between Start Time 5 s and End Time 1 s; the series has 2 from 0 s to 1 s"}}));
+        "No time step lies after Start Time 5 s; the series has 2 from 0 s to 1 s"}}));
   set(*run.filter);
   CHECK(run.table().GetNumberOfColumns() == 0);
   CHECK_THAT(run.errors->first(), Contains(words));

@@ -288,3 +288,20 @@ TEST_CASE("particles with numbers keep their peaks where they go from one partit
   CHECK(values(vtkDataSet::SafeDownCast(output->GetPartitionAsDataObject(0, 1)), "peak_pressure") ==
         std::vector<double>{3, 100});
 }
+
+TEST_CASE("numbers that come and go are a warning, and no peaks", "[filters][peak]")
+{
+  Run run({0, 1}, [](double t) {
+    auto bird = made_particles({1, 2 + t}, {});
+    if (t > 0) {
+      vtkNew<vtkIntArray> numbers;
+      numbers->SetName("id");
+      numbers->InsertNextValue(4);
+      numbers->InsertNextValue(5);
+      bird->GetPointData()->AddArray(numbers);
+    }
+    return bird;
+  });
+  CHECK_FALSE(run.at(1)->GetPointData()->HasArray("peak_pressure"));
+  CHECK_THAT(run.errors->first(), Contains("at some times and none at others, first at 1 s"));
+}
