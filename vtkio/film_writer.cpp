@@ -9,18 +9,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <iterator>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -67,15 +70,75 @@ fs::path beside(fs::path file, const char* end)
   return file;
 }
 
+//! While it lives, a signal that ends the program ends ffmpeg and removes the file first.
+class TidyOnSignal
+{
+public:
+  explicit TidyOnSignal(const fs::path& file)
+  {
+    // The handler may call little, and a string's memory is not its own.
+    file_ = fs::absolute(file).string();
+    path_ = file_.c_str();
+    process_ = -1;
+    struct sigaction tidy = {};
+    tidy.sa_handler = end;
+    for (std::size_t k = 0; k < signals.size(); ++k) {
+      sigaction(signals[k], nullptr, &before_[k]);
+      if (before_[k].sa_handler == SIG_DFL) // not where somebody ignores or handles it
+        sigaction(signals[k], &tidy, nullptr);
+    }
+  }
+  ~TidyOnSignal()
+  {
+    for (std::size_t k = 0; k < signals.size(); ++k)
+      sigaction(signals[k], &before_[k], nullptr);
+    path_ = nullptr;
+  }
+  //! It is ended as well.
+  void watch(pid_t process) { process_ = process; }
+
+  TidyOnSignal(const TidyOnSignal&) = delete;
+  TidyOnSignal& operator=(const TidyOnSignal&) = delete;
+
+private:
+  static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
+
+  static void end(int signal)
+  {
+    if (path_) {
+      if (process_ > 0)
+        kill(process_, SIGKILL);
+      unlink(path_);
+    }
+    struct sigaction plain = {};
+    plain.sa_handler = SIG_DFL;
+    sigaction(signal, &plain, nullptr);
+    raise(signal); // ends the program, with the status that the signal asks for
+  }
+
+  static inline const char* volatile path_ = nullptr;
+  static inline volatile pid_t process_ = -1;
+  std::string file_;
+  std::array<struct sigaction, signals.size()> before_{};
+};
+
 } // namespace
 
 struct FilmWriter::State
 {
-  fs::path film, unfinished, messages;
+  fs::path film, unfinished;
   int width, height;
   pid_t process = -1;
-  int pipe = -1;
+  int pipe = -1, messages = -1; //!< messages: of ffmpeg, a file without a name
   std::vector<unsigned char> rows;
+  std::optional<TidyOnSignal> tidy;
+
+  State() = default;
+  ~State()
+  {
+    if (messages >= 0)
+      close(messages);
+  }
 
   void start(double fps);
   //! Waits for ffmpeg; whether it ended well.
@@ -103,8 +166,8 @@ void FilmWriter::State::start(double fps)
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
   posix_spawn_file_actions_adddup2(&files, ends[0], STDIN_FILENO);
-  posix_spawn_file_actions_addopen(&files, STDERR_FILENO, messages.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
-                                   0600);
+  if (messages >= 0)
+    posix_spawn_file_actions_adddup2(&files, messages, STDERR_FILENO);
   const int error = posix_spawnp(&process, "ffmpeg", &files, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&files);
   close(ends[0]);
@@ -113,6 +176,7 @@ void FilmWriter::State::start(double fps)
     process = -1;
     give_up(std::strerror(error));
   }
+  tidy->watch(process);
 }
 
 bool FilmWriter::State::end()
@@ -126,13 +190,15 @@ bool FilmWriter::State::end()
   while (waitpid(process, &status, 0) < 0 && errno == EINTR)
     ;
   process = -1;
+  tidy.reset();
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
 std::string FilmWriter::State::last_message() const
 {
-  std::ifstream in(messages);
-  std::string text{std::istreambuf_iterator<char>(in), {}};
+  std::string text(4096, '\0');
+  const ssize_t size = messages >= 0 ? pread(messages, text.data(), text.size(), 0) : 0;
+  text.resize(static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
   while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())))
     text.pop_back();
   return text;
@@ -144,7 +210,6 @@ void FilmWriter::State::give_up(const std::string& reason)
   const std::string said = last_message();
   std::error_code ignored;
   fs::remove(unfinished, ignored);
-  fs::remove(messages, ignored);
   throw OutputError(
       fmt::format("cannot make the film {}: ffmpeg failed: {}; is there room on the disk, and does "
                   "\"ffmpeg -encoders\" list libx264?",
@@ -169,13 +234,14 @@ FilmWriter::FilmWriter(fs::path film, int width, int height, double fps) : state
   State& s = *state_;
   s.film = std::move(film);
   s.unfinished = beside(s.film, ".tmp");
-  s.messages = beside(s.film, ".log.tmp");
   s.width = width;
   s.height = height;
+  s.tidy.emplace(s.unfinished);
   // Whether the place can be written is said before anything is drawn.
   errno = 0;
   if (!std::ofstream(s.unfinished).put('\n').flush())
     throw OutputError(fmt::format("cannot write the film {}: {}", s.film.string(), std::strerror(errno)));
+  s.messages = memfd_create("ffmpeg", MFD_CLOEXEC);
   s.start(fps);
 }
 
@@ -187,7 +253,6 @@ FilmWriter::~FilmWriter()
   state_->end();
   std::error_code ignored;
   fs::remove(state_->unfinished, ignored);
-  fs::remove(state_->messages, ignored);
 }
 
 void FilmWriter::add(vtkImageData& image)
@@ -221,7 +286,6 @@ void FilmWriter::finish()
   if (!s.end())
     s.give_up("it ended with an error");
   std::error_code error;
-  fs::remove(s.messages, error);
   fs::rename(s.unfinished, s.film, error);
   if (error)
     s.give_up(error.message());

@@ -13,7 +13,8 @@ namespace birdstrike {
 bool have_ffmpeg();
 
 //! H.264 in an .mp4 that all players show (yuv420p). The film is written under another name and gets its own when it
-//! is whole; what was begun is removed if finish() is not reached.
+//! is whole; what was begun is removed if finish() is not reached, and if the program is told to end (SIGINT, SIGTERM,
+//! SIGHUP) before. One film at a time.
 class FilmWriter
 {
 public:
