@@ -38,7 +38,10 @@ void add_plot_command(CLI::App& program)
       ->add_option("--label", options->plot.labels,
                    "Name of a run in the legend, in their order; may be repeated")
       ->allow_extra_args(false);
-  command->add_flag("--theory", options->plot.theory, "Hugoniot and stagnation pressure as lines");
+  command->add_flag(
+      "--theory", options->plot.theory,
+      "Hugoniot and stagnation pressure as lines: of a part for max_pressure_<part>, else of the bird's "
+      "hardest part");
   command->add_option("--title", options->plot.title, "Above the plot");
   command->add_option("--size", options->size, "Pixels")->capture_default_str();
   command->callback([options] {
@@ -47,6 +50,8 @@ void add_plot_command(CLI::App& program)
     Plot plot = plot_of_runs(options->plot);
     plot.title = fitting_title(plot.title);
     const std::array<int, 2> size = parse_pair(options->size, "--size", "1280x720");
+    for (const int side : size)
+      require(side >= 64, fmt::format("--size: \"{}\": each side must be 64 to 16384 pixels", options->size));
     plot.width = size[0];
     plot.height = size[1];
     write_plot(plot, options->output);

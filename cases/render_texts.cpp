@@ -69,12 +69,16 @@ std::array<int, 2> parse_pair(const std::string& text, const std::string& option
   const std::string word = trimmed(text);
   const std::size_t cross = std::min(word.find('x'), word.size());
   std::array<int, 2> pair{};
+  bool large = false;
   const auto read = [&](std::size_t from, std::size_t to, int& number) {
     const auto [end, error] = std::from_chars(word.data() + from, word.data() + to, number);
-    return error == std::errc() && end == word.data() + to && number >= 1 && number <= 16384;
+    large = large || error == std::errc::result_out_of_range || number > 16384;
+    return (error == std::errc() || error == std::errc::result_out_of_range) && end == word.data() + to &&
+           (large || number >= 1);
   };
   require(cross < word.size() && read(0, cross, pair[0]) && read(cross + 1, word.size(), pair[1]),
           fmt::format("{}: \"{}\": two whole numbers are needed, for example {}", option, text, example));
+  require(!large, fmt::format("{}: \"{}\": each number must be 1 to 16384", option, text));
   return pair;
 }
 

@@ -18,7 +18,7 @@ namespace birdstrike {
 std::array<double, 2> parse_range(const std::string& text, const std::string& option,
                                   const std::string& array);
 
-//! "1280x720", "2x4": two whole numbers, each 1 to 16384. \throw InputError naming the option
+//! "1280x720", "2x4": two whole numbers, each 1 to 16384. \throw InputError naming the option: no such numbers, or out of range
 std::array<int, 2> parse_pair(const std::string& text, const std::string& option, const std::string& example);
 
 //! "160 mm" or "160 mm x 90 mm" at so many dots per inch, in pixels; a width alone is 16:9.

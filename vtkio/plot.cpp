@@ -53,8 +53,8 @@ void check(const Plot& plot)
   require(rises(plot.x_range) && rises(plot.y_range),
           "plot \"" + plot.title + "\": the second number of a range must be the larger one");
   require(plot.width >= 64 && plot.height >= 64 && plot.width <= 16384 && plot.height <= 16384,
-          fmt::format("plot \"{}\": {} x {} pixels cannot be drawn; each side must be 64 to 16384",
-                      plot.title, plot.width, plot.height));
+          fmt::format("a plot of {} x {} pixels cannot be drawn; each side must be 64 to 16384", plot.width,
+                      plot.height));
   require(any, "plot \"" + plot.title + "\": no series has a value to plot");
 }
 
@@ -201,7 +201,7 @@ Plot with_logarithms(Plot plot)
 std::array<double, 2> legend_size(const Plot& plot, int font)
 {
   constexpr double symbol = 50, gap = 10, letter = 0.56,
-                   row = 1.25;                        // [pixel], [pixel], over the font's height
+                   row = 1.05;                        // [pixel], [pixel], over the font's height
   const double axes = 6.0 * font, label = 0.9 * font; // what axes and title take of a side
   std::size_t longest = 0, rows = 0;
   for (const PlotSeries& series : plot.series)

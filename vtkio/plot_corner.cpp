@@ -68,7 +68,7 @@ std::optional<PlotCorner> free_corner(const Plot& plot, const PlotBox& box, cons
 
 PlotBox with_headroom(const Plot& plot, PlotBox box, const std::array<double, 2>& size)
 {
-  constexpr double narrow = 0.25, tallest = 0.45;
+  constexpr double narrow = 0.3, tallest = 0.35; // beside them, and above them the curves keep two thirds
   if (plot.y_range || size[0] < narrow || size[0] + margin > 1 || size[1] > tallest ||
       free_corner(plot, box, size))
     return box;

@@ -112,6 +112,64 @@ TEST_CASE("theory is drawn once where the runs agree, else for each", "[cases][p
   CHECK(plot.series[4].y == std::vector<double>{15, 15});
 }
 
+TEST_CASE("a part's own largest pressure has the theory of that part", "[cases][plot]")
+{
+  const TwoRuns runs;
+  for (const char* name : {"a", "b"}) {
+    runs.folder.write(std::string(name) + "/histories.csv",
+                      "time[s],max_pressure_all[Pa],max_pressure_torso[Pa],max_pressure_wings[Pa]\n"
+                      "0,0,0,0\n1e-4,8e7,2e7,1e6\n");
+    runs.folder.write(std::string(name) + "/summary.json",
+                      R"({"theory": {"hugoniot_pressure": 85e6, "stagnation_standing_shock": 9.6e6,
+                          "torso": {"hugoniot_pressure": 18e6, "stagnation_standing_shock": 5.65e6},
+                          "bones": {"hugoniot_pressure": 85e6, "stagnation_standing_shock": 9.6e6}}})");
+  }
+  RunPlotOptions options = runs.both("max_pressure_torso");
+  options.theory = true;
+  Plot plot = plot_of_runs(options);
+  REQUIRE(plot.series.size() == 4);
+  CHECK(plot.series[2].name == "Hugoniot, torso");
+  CHECK(plot.series[2].y[0] == Approx(18));
+  CHECK(plot.series[3].name == "stagnation, torso");
+  CHECK(plot.series[3].y[0] == Approx(5.65));
+
+  options.columns = {"max_pressure_all"};
+  plot = plot_of_runs(options);
+  CHECK(plot.series.at(2).name == "Hugoniot, bones"); // the hardest
+  CHECK(plot.series[2].y[0] == Approx(85));
+
+  options.runs.pop_back();
+  options.columns = {"max_pressure_all", "max_pressure_torso"};
+  plot = plot_of_runs(options);
+  REQUIRE(plot.series.size() == 2 + 4);
+  CHECK(plot.y_label == "max pressure [MPa]");
+  CHECK(plot.series[4].name == "Hugoniot, torso");
+  CHECK(plot.series[2].colour != plot.series[4].colour);
+
+  options.columns = {"max_pressure_wings"};
+  CHECK_THROWS_WITH(plot_of_runs(options),
+                    Contains("no theory of the part wings") && Contains("torso, bones") ||
+                        Contains("bones, torso"));
+}
+
+TEST_CASE("an axis for several columns says what they have in common", "[cases][plot]")
+{
+  const TwoRuns runs;
+  runs.folder.write("a/histories.csv",
+                    "time[s],max_deflection[m],deflection_middle[m],contact_force_x[N],"
+                    "contact_force_y[N],support_force[N],height[m]\n0,1,1,1,1,1,1\n1,2,2,2,2,2,2\n");
+  RunPlotOptions options = runs.both("max_deflection");
+  options.runs.resize(1);
+  const auto label = [&](std::vector<std::string> columns) {
+    options.columns = std::move(columns);
+    return plot_of_runs(options).y_label;
+  };
+  CHECK(label({"max_deflection"}) == "max deflection [mm]");
+  CHECK(label({"max_deflection", "deflection_middle"}) == "deflection [mm]");
+  CHECK(label({"contact_force_x", "contact_force_y"}) == "contact force [kN]");
+  CHECK(label({"max_deflection", "height"}) == "length [mm]");
+}
+
 TEST_CASE("plots that cannot be are refused with what there is", "[cases][plot][errors]")
 {
   const TwoRuns runs;
