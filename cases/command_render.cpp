@@ -3,6 +3,7 @@
 #include "cases/case_entries.h"
 #include "cases/commands.h"
 #include "cases/figures.h"
+#include "cases/history_table.h"
 #include "cases/log.h"
 #include "cases/quantity.h"
 #include "cases/render_series.h"
@@ -56,6 +57,11 @@ void find_series(RenderTexts& texts)
                         texts.series.string()));
     texts.series /= plain ? "run.pvd" : "run.bss";
   }
+  require(
+      texts.series.extension() != ".toml",
+      fmt::format("{} is a case and not a run: make the run first, birdstrike run {} -o out, then birdstrike "
+                  "render out",
+                  texts.series.string(), texts.series.string()));
   const fs::path about = texts.series.parent_path() / "case.toml";
   if (texts.given("--title") || !fs::exists(about, ignored))
     return;
@@ -160,7 +166,8 @@ void read_files(const RenderTexts& texts, RenderOptions& options)
     return;
   require(texts.film.extension() == ".mp4",
           fmt::format("--film {}: a name that ends in .mp4 is needed", texts.film.string()));
-  options.film = FilmOptions{texts.film, texts.fps, {}, {}};
+  // As the pictures do, it goes into the folder of -o, unless its own name says from the root on where.
+  options.film = FilmOptions{texts.output / texts.film, texts.fps, {}, {}};
   if (texts.given("--slow-down"))
     options.film->slow_down = texts.slow_down;
   if (texts.given("--duration")) {
@@ -173,14 +180,33 @@ void read_files(const RenderTexts& texts, RenderOptions& options)
   }
 }
 
+//! histories.csv beside a run's own series; no columns if there is none that can be read.
+History histories_of_run(const fs::path& series, Log& log)
+{
+  const fs::path csv = series.parent_path() / "histories.csv";
+  std::error_code ignored;
+  if (series.stem() == "run" && fs::is_regular_file(csv, ignored))
+    try {
+      return read_history_table(csv);
+    } catch (const InputError& error) {
+      log.warn(
+          fmt::format("{}: {}; the plots show the frames of the series instead", csv.string(), error.what()));
+    }
+  return {};
+}
+
 //! What run leaves in figures/.
-std::vector<fs::path> draw_figures(const RenderTexts& texts)
+std::vector<fs::path> draw_figures(const RenderTexts& texts, Log& log)
 {
   require(!texts.output.empty(), "-o is missing: the folder that the pictures go to is needed");
   std::vector<fs::path> files = write_pictures(texts.series, texts.output, texts.title,
-                                               view_from_name(texts.view.empty() ? "side" : texts.view));
-  for (const fs::path& file :
-       write_plots(to_history(*histories_of_series(texts.series)), {}, texts.output, texts.title))
+                                               view_from_name(texts.view.empty() ? "side" : texts.view),
+                                               [&](const std::string& warning) { log.warn(warning); });
+  const History at_frames = to_history(*histories_of_series(texts.series)),
+                at_steps = histories_of_run(texts.series, log);
+  const bool own = at_steps.rows() > 0;
+  for (const fs::path& file : own ? write_plots(at_steps, at_frames, texts.output, texts.title)
+                                  : write_plots(at_frames, {}, texts.output, texts.title, " at the frames"))
     files.push_back(file);
   return files;
 }
@@ -197,8 +223,10 @@ void add_scene_options(CLI::App& command, RenderTexts& texts)
       .add_option("--cut-plane", texts.cut_plane, "Where the scene cut is cut, \"y = 12 mm\"; default y = 0")
       ->group(scenes);
   command
-      .add_option("--fit", texts.fit,
-                  "What the camera holds: all, start (target, and bird at the start), bird, target")
+      .add_option(
+          "--fit", texts.fit,
+          "What the camera holds: all (target, and bird in all pictures, but debris further than 30 % of "
+          "their size away), start (target, and bird at the start), bird (in all pictures), target")
       ->default_str("all")
       ->group(scenes);
   CLI::Option* times =
@@ -255,7 +283,10 @@ void add_scene_options(CLI::App& command, RenderTexts& texts)
   command.add_flag("--singles", texts.singles, "Single pictures beside the montage or the film")
       ->group(files);
   CLI::Option* film =
-      command.add_option("--film", texts.film, "A film of a scene, run.mp4; needs ffmpeg")->group(files);
+      command
+          .add_option("--film", texts.film,
+                      "A film of a scene, run.mp4, in the folder of -o if there is one; needs ffmpeg")
+          ->group(files);
   montage->excludes(film);
   command
       .add_option("--fps", texts.fps,
@@ -293,14 +324,16 @@ void add_render_command(CLI::App& program)
   add_scene_options(*command, *texts);
   command->footer(
       "Without an option under Scenes, Colours or Files: the pictures and plots that run leaves in "
-      "figures/. Colours mean the same in all pictures of one call.");
+      "figures/, from histories.csv beside the series, else from its frames alone. Colours mean the same in "
+      "all pictures of one call.");
   command->callback([texts] {
     find_series(*texts);
     const auto* first = std::find_if(std::begin(of_scenes), std::end(of_scenes),
                                      [&](const char* option) { return texts->given(option); });
     std::vector<fs::path> files;
+    Log log(texts->quiet);
     if (first == std::end(of_scenes)) {
-      files = draw_figures(*texts);
+      files = draw_figures(*texts, log);
     } else {
       require(texts->view.empty(),
               fmt::format("--view goes with the pictures of run and not with {}; use --scene", *first));
@@ -309,7 +342,6 @@ void add_render_command(CLI::App& program)
       read_scenes(*texts, options);
       read_times(*texts, options);
       read_files(*texts, options);
-      Log log(texts->quiet);
       files = render_series(options, log);
     }
     for (const fs::path& file : files)

@@ -4,8 +4,8 @@
 
 #include "cases/figures.h"
 #include "cases/log.h"
+#include "cases/render_extent.h"
 #include "cases/run_case.h"
-#include "cases/series_frames.h"
 #include "cases/study_results.h"
 #include "core/error.h"
 #include "vtkio/atomic_file.h"
@@ -92,14 +92,14 @@ double contact_time(const fs::path& run)
 }
 
 //! "0.900 ms", on the clock of the figure; the scene where it is another than in the first picture.
-std::string caption(const MontageFigure& figure, std::size_t panel, double time)
+std::string caption(const MontageFigure& figure, std::size_t panel, double time, int digits)
 {
   const bool varied = std::any_of(figure.scenes.begin(), figure.scenes.end(),
                                   [&](const std::string& scene) { return scene != figure.scenes.front(); });
   const bool moves = figure.times.front() != figure.times.back();
   if (varied && !moves)
     return figure.scenes[panel];
-  return fmt::format("{:.3f} ms{}", 1e3 * time,
+  return fmt::format("{}{}", time_text(time, digits),
                      figure.scenes[panel] != figure.scenes.front() ? ", " + figure.scenes[panel] : "");
 }
 
@@ -118,8 +118,8 @@ double shift_of(const MontageFigure& figure, const FigureRun& run)
   return figure.contact ? *figure.contact - contact_time(run.folder) : 0;
 }
 
-//! Over all figures of this run that are drawn from the same distance, so that they can be compared.
-SeriesExtent common_extent(const MontageFigure& figure, const FigureRun& run, SeriesFrames& frames)
+//! Frames of all figures of this run that are drawn from the same distance, so that they can be compared.
+std::vector<std::size_t> common_steps(const MontageFigure& figure, const FigureRun& run, SeriesFrames& frames)
 {
   std::vector<std::size_t> steps;
   for (const MontageFigure* other : run.figures)
@@ -128,7 +128,20 @@ SeriesExtent common_extent(const MontageFigure& figure, const FigureRun& run, Se
         other->look.colour_by == figure.look.colour_by)
       for (const std::size_t step : steps_of(*other, frames.index(), shift_of(*other, run)))
         steps.push_back(step);
-  return extent_of(frames, steps, figure.look, figure.fit);
+  return steps;
+}
+
+//! The same distance for all panels that are seen from the same side, cut open or not.
+void join_windows(std::vector<SnapshotOptions>& looks)
+{
+  const std::vector<SnapshotOptions> alone = looks;
+  for (SnapshotOptions& look : looks)
+    for (const SnapshotOptions& other : alone)
+      if (other.view == look.view && other.window && look.window)
+        for (std::size_t k = 0; k < 4; k += 2) {
+          (*look.window)[k] = std::min((*look.window)[k], (*other.window)[k]);
+          (*look.window)[k + 1] = std::max((*look.window)[k + 1], (*other.window)[k + 1]);
+        }
 }
 
 fs::path draw_figure(const MontageFigure& figure, const FigureRun& run, const fs::path& output, Log& log)
@@ -141,13 +154,13 @@ fs::path draw_figure(const MontageFigure& figure, const FigureRun& run, const fs
         std::abs(found - figure.times[k]) > 0.05e-3)
       log.warn(fmt::format("figure {}: the run has no frame near {:.3g} ms; the nearest is at {:.3g} ms",
                            figure.number, 1e3 * figure.times[k], 1e3 * found));
-  SeriesExtent extent = common_extent(figure, run, frames);
+  const std::vector<std::size_t> common = common_steps(figure, run, frames);
+  SeriesExtent extent = picture_extent(frames, common, figure.look, figure.fit);
   extent.look.title =
       fmt::format("Figure {}: {}", figure.number, figure.title.empty() ? run.run.parsed.title : figure.title);
   extent.look.scale_bar = true;
   MontageOptions montage;
   extent.look.height = montage.snapshot.height;
-  extent.look.width = panel_width(extent, figure.scenes, extent.look.height);
   const Frame first = frames.get(steps.front());
   extent.look.legend = extent.look.colour_by != "part" || !extent.look.target_field.empty() ||
                        (first.bird && parts_of(*first.bird).size() > 1);
@@ -156,19 +169,20 @@ fs::path draw_figure(const MontageFigure& figure, const FigureRun& run, const fs
   for (std::size_t k = 0; k < steps.size(); ++k) {
     shown.push_back(frames.get(steps[k]));
     montage.looks.push_back(scene_options(figure.scenes[k], extent.look));
-    montage.captions.push_back(caption(figure, k, shown.back().time + shift));
+    montage.looks.back() = with_window(frames, common, extent, montage.looks.back(), figure.fit);
+    montage.captions.push_back(caption(figure, k, shown.back().time + shift, extent.look.time_digits));
   }
+  join_windows(montage.looks);
+  extent.look.width = panel_width(extent.bounds, montage.looks, extent.look.height);
+  for (SnapshotOptions& look : montage.looks)
+    look.width = extent.look.width;
   montage.snapshot = montage.looks.front();
   const fs::path file = output / fmt::format("figure-{}.png", figure.number);
-  std::vector<std::array<double, 4>> canvases;
-  const auto image = draw_montage(shown, extent.bounds, montage, &canvases);
-  for (std::size_t k = 0; k < canvases.size(); ++k) {
-    PictureCheck check = check_picture(*image, canvases[k], extent.look.background);
-    if (figure.fit != Fit::all)
-      check.border = 0; // not all of it is meant to be in the picture
-    if (const std::string fault = fault_of(check); !fault.empty())
+  std::vector<PictureCheck> checks;
+  const auto image = draw_montage(shown, extent.bounds, montage, &checks);
+  for (std::size_t k = 0; k < checks.size(); ++k)
+    if (const std::string fault = fault_of_picture(checks[k], figure.fit); !fault.empty())
       log.warn(fmt::format("{}, {}): {}", file.string(), static_cast<char>('a' + k), fault));
-  }
   write_png(*image, file);
   return file;
 }

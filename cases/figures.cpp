@@ -2,19 +2,22 @@
 // Pictures and plots of a run.
 #include "cases/figures.h"
 
-#include "cases/series_frames.h"
+#include "cases/render_extent.h"
 #include "core/error.h"
 #include "core/gauges/history.h"
 #include "vtkio/montage.h"
 #include "vtkio/palette.h"
 #include "vtkio/plot.h"
 #include "vtkio/robust_range.h"
+#include "vtkio/scene.h"
 #include "vtkio/shown_array.h"
 #include "vtkio/visible_shell.h"
+#include "vtkio/write_png.h"
 
 #include <fmt/format.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkImageData.h>
 #include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -28,12 +31,27 @@ namespace {
 
 constexpr int picture_count = 8; // the start and seven later times, as figures 8.8 and 8.9
 
-std::vector<Frame> chosen_frames(const SeriesIndex& index)
+using Warn = std::function<void(const std::string&)>;
+
+//! A montage of a scene in panels that it fills, two or four beside each other: whichever is nearer to a page's shape.
+fs::path write_panels(const std::vector<Frame>& frames, const SeriesExtent& extent, const fs::path& file,
+                      const Warn& warn)
 {
-  std::vector<Frame> frames;
-  for (const std::size_t step : chosen_steps(index, {}, picture_count))
-    frames.push_back(read_frame(index, step));
-  return frames;
+  constexpr double narrow = 1.3; // width over height of a panel
+  MontageOptions montage;
+  const int height = montage.snapshot.height;
+  montage.snapshot = extent.look;
+  montage.snapshot.height = height;
+  montage.snapshot.width = panel_width(extent.bounds, {extent.look}, height);
+  montage.snapshot.axes = false;
+  montage.columns = montage.snapshot.width < narrow * height ? 4 : 2;
+  std::vector<PictureCheck> checks;
+  const auto image = draw_montage(frames, extent.bounds, montage, &checks);
+  for (std::size_t k = 0; k < checks.size(); ++k)
+    if (const std::string fault = fault_of(checks[k]); warn && !fault.empty())
+      warn(fmt::format("{}, {}): {}", file.string(), static_cast<char>('a' + k), fault));
+  write_png(*image, file);
+  return file;
 }
 
 //! One scale for all pictures, from no pressure on.
@@ -67,25 +85,26 @@ double largest_on_target(const std::vector<Frame>& frames, const char* name)
 
 //! The target by deflection and by plastic strain, where it has any; without the bird, which would hide them.
 std::vector<fs::path> write_target_pictures(const std::vector<Frame>& frames, const fs::path& folder,
-                                            const std::string& title)
+                                            SnapshotOptions look, const Warn& warn)
 {
   std::vector<fs::path> files;
   std::vector<Frame> alone = frames;
-  for (Frame& frame : alone)
+  look.window.reset();
+  for (Frame& frame : alone) {
     frame.bird = nullptr;
+    if (frame.target)
+      hold_target(look.window, *frame.target, look);
+  }
   for (const auto& [field, name] : {std::pair("displacement", "target_deflection.png"),
                                     std::pair("plastic_strain", "target_plastic_strain.png")})
   {
     const double largest = largest_on_target(frames, field);
     if (!(largest > 0))
       continue;
-    MontageOptions montage;
-    montage.snapshot.view = View::isometric;
-    montage.snapshot.title = fitting_title(title);
-    montage.snapshot.target_field = field;
-    montage.snapshot.target_range = {0, largest};
-    files.push_back(folder / name);
-    write_montage(alone, bounds_of(alone), montage, files.back());
+    SeriesExtent extent{look, bounds_of(alone)};
+    extent.look.target_field = field;
+    extent.look.target_range = {0, largest};
+    files.push_back(write_panels(alone, extent, folder / name, warn));
   }
   return files;
 }
@@ -106,6 +125,11 @@ std::vector<double> column(const History& history, std::size_t index, double fac
   return values;
 }
 
+bool is_zero(const std::vector<double>& values)
+{
+  return std::all_of(values.begin(), values.end(), [](double value) { return value == 0; });
+}
+
 } // namespace
 
 std::string fitting_title(const std::string& title)
@@ -118,14 +142,20 @@ std::string fitting_title(const std::string& title)
 }
 
 std::vector<fs::path> write_pictures(const fs::path& pvd, const fs::path& folder, const std::string& title,
-                                     View view)
+                                     View view, const Warn& warn)
 {
-  const std::vector<Frame> frames = chosen_frames(read_series_index(pvd));
-  require(frames.front().bird != nullptr, fmt::format("{}: there is no bird in this series", pvd.string()));
-  const Bounds bounds = bounds_of(frames);
+  SeriesFrames series(pvd, true, true);
+  const std::vector<std::size_t> steps = chosen_steps(series.index(), {}, picture_count);
+  std::vector<Frame> frames;
+  for (const std::size_t step : steps)
+    frames.push_back(series.get(step));
+  require(frames.front().bird != nullptr, needs_pieces("no bird", pvd));
+  SnapshotOptions look;
+  look.title = fitting_title(title);
+  SeriesExtent extent = picture_extent(series, steps, look, Fit::all);
+  look = extent.look;
 
-  SnapshotOptions by_part, by_pressure;
-  by_part.title = by_pressure.title = fitting_title(title);
+  SnapshotOptions by_part = look, by_pressure = look;
   by_pressure.colour_by = "pressure";
   by_part.view = by_pressure.view = view;
   // The load is inside, and so are some parts; but a bird that flies past y = 0 would be cut away whole.
@@ -134,36 +164,30 @@ std::vector<fs::path> write_pictures(const fs::path& pvd, const fs::path& folder
 
   std::vector<fs::path> files;
   for (const auto& [name, options] : {std::pair("by_part", by_part), std::pair("by_pressure", by_pressure)}) {
-    Snapshot snapshot(options, bounds);
+    extent.look = with_window(series, steps, extent, options, Fit::all);
+    Snapshot snapshot(extent.look, extent.bounds);
     for (std::size_t k = 0; k < frames.size(); ++k) {
       files.push_back(folder / fmt::format("{}_{}.png", name, k));
-      snapshot.write(frames[k], files.back());
+      const auto image = snapshot.draw(frames[k]);
+      if (const std::string fault = fault_of(snapshot.check(*image, frames[k])); warn && !fault.empty())
+        warn(fmt::format("{}: {}", files.back().string(), fault));
+      write_png(*image, files.back());
     }
-    if (frames.size() < 2)
-      continue;
-    MontageOptions montage;
-    const int width = montage.snapshot.width, height = montage.snapshot.height;
-    montage.snapshot = options;
-    montage.snapshot.width = width;
-    montage.snapshot.height = height;
-    montage.snapshot.axes = false;
-    files.push_back(folder / fmt::format("{}.png", name));
-    write_montage(frames, bounds, montage, files.back());
+    if (frames.size() > 1)
+      files.push_back(write_panels(frames, extent, folder / fmt::format("{}.png", name), warn));
   }
   if (view == View::side && frames.size() > 1) { // the wings are seen edge on from the side
-    MontageOptions overview;
-    overview.snapshot.view = View::isometric;
-    overview.snapshot.title = fitting_title(title);
-    files.push_back(folder / "overview.png");
-    write_montage(frames, bounds, overview, files.back());
-    for (const fs::path& file : write_target_pictures(frames, folder, title))
+    look.view = View::isometric;
+    extent.look = with_window(series, steps, extent, look, Fit::all);
+    files.push_back(write_panels(frames, extent, folder / "overview.png", warn));
+    for (const fs::path& file : write_target_pictures(frames, folder, extent.look, warn))
       files.push_back(file);
   }
   return files;
 }
 
 std::vector<fs::path> write_plots(const History& history, const History& frames, const fs::path& folder,
-                                  const std::string& title)
+                                  const std::string& title, const std::string& note)
 {
   std::vector<fs::path> files;
   const std::vector<double> time = column(history, 0, 1e3);
@@ -171,7 +195,7 @@ std::vector<fs::path> write_plots(const History& history, const History& frames,
   constexpr std::string_view prefix = "max_pressure_";
   Plot pressure{.title = fitting_title(title),
                 .x_label = "time [ms]",
-                .y_label = "maximum pressure [MPa]",
+                .y_label = fmt::format("maximum pressure{} [MPa]", note),
                 .series = {},
                 .x_range = {},
                 .y_range = {}};
@@ -207,7 +231,7 @@ std::vector<fs::path> write_plots(const History& history, const History& frames,
   if (const std::size_t c = history.find("contact_force_x"); c < history.columns.size()) {
     Plot force{.title = fitting_title(title),
                .x_label = "time [ms]",
-               .y_label = "contact force [kN]",
+               .y_label = fmt::format("contact force{} [kN]", note),
                .series = {},
                .x_range = {},
                .y_range = {}};
@@ -215,10 +239,12 @@ std::vector<fs::path> write_plots(const History& history, const History& frames,
     files.push_back(folder / "contact_force.png");
     write_plot(force, files.back());
   }
-  if (const std::size_t c = history.find("max_deflection"); c < history.columns.size()) {
+  if (const std::size_t c = history.find("max_deflection");
+      c < history.columns.size() && !is_zero(column(history, c, 1)))
+  { // that of a rigid target says nothing
     Plot deflection{.title = fitting_title(title),
                     .x_label = "time [ms]",
-                    .y_label = "deflection of the target [mm]",
+                    .y_label = fmt::format("deflection of the target{} [mm]", note),
                     .series = {},
                     .x_range = {},
                     .y_range = {}};

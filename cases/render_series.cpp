@@ -3,7 +3,7 @@
 #include "cases/render_series.h"
 
 #include "cases/log.h"
-#include "cases/series_frames.h"
+#include "cases/render_extent.h"
 #include "core/error.h"
 #include "vtkio/film_writer.h"
 #include "vtkio/montage.h"
@@ -33,19 +33,10 @@ std::string stem_of(const std::string& scene, const RenderOptions& options)
   return stem;
 }
 
-//! What is wrong with a scene on a picture; "" if nothing is.
-std::string fault_on(vtkImageData& image, const std::array<double, 4>& canvas, const RenderOptions& options)
+void warn_of_faults(const PictureCheck& check, const RenderOptions& options, const std::string& name,
+                    Log& log)
 {
-  PictureCheck check = check_picture(image, canvas, options.look.background);
-  if (options.fit != Fit::all)
-    check.border = 0; // not all of it is meant to be in the picture
-  return fault_of(check);
-}
-
-void warn_of_faults(vtkImageData& image, const std::array<double, 4>& canvas, const RenderOptions& options,
-                    const std::string& name, Log& log)
-{
-  if (const std::string fault = fault_on(image, canvas, options); !fault.empty())
+  if (const std::string fault = fault_of_picture(check, options.fit); !fault.empty())
     log.warn(fmt::format("{}: {}", name, fault));
 }
 
@@ -58,8 +49,9 @@ std::vector<fs::path> draw_singles(SeriesFrames& frames, const std::vector<std::
   std::vector<fs::path> files;
   for (std::size_t k = 0; k < steps.size(); ++k) {
     files.push_back(options.folder / fmt::format("{}_{:0{}}.png", stem, k, digits));
-    const auto image = snapshot.draw(frames.get(steps[k]));
-    warn_of_faults(*image, snapshot.canvas(), options, files.back().string(), log);
+    const Frame frame = frames.get(steps[k]);
+    const auto image = snapshot.draw(frame);
+    warn_of_faults(snapshot.check(*image, frame), options, files.back().string(), log);
     write_png(*image, files.back(), options.dots_per_inch);
   }
   return files;
@@ -71,7 +63,7 @@ fs::path draw_panels(SeriesFrames& frames, const std::vector<std::size_t>& steps
   MontageOptions montage;
   const int height = montage.snapshot.height;
   montage.snapshot = extent.look;
-  montage.snapshot.width = panel_width(extent, {scene}, height);
+  montage.snapshot.width = panel_width(extent.bounds, {extent.look}, height);
   montage.snapshot.height = height;
   montage.columns = (*options.montage)[0];
   if (options.size) {
@@ -81,12 +73,12 @@ fs::path draw_panels(SeriesFrames& frames, const std::vector<std::size_t>& steps
   std::vector<Frame> shown;
   for (const std::size_t step : steps)
     shown.push_back(frames.get(step));
-  std::vector<std::array<double, 4>> canvases;
-  const auto image = draw_montage(shown, extent.bounds, montage, &canvases);
+  std::vector<PictureCheck> checks;
+  const auto image = draw_montage(shown, extent.bounds, montage, &checks);
   const fs::path file = options.folder / (stem_of(scene, options) + ".png");
-  for (std::size_t k = 0; k < canvases.size(); ++k)
-    warn_of_faults(*image, canvases[k], options,
-                   fmt::format("{}, {})", file.string(), static_cast<char>('a' + k)), log);
+  for (std::size_t k = 0; k < checks.size(); ++k)
+    warn_of_faults(checks[k], options, fmt::format("{}, {})", file.string(), static_cast<char>('a' + k)),
+                   log);
   write_png(*image, file, options.dots_per_inch);
   return file;
 }
@@ -130,11 +122,12 @@ fs::path draw_film(SeriesFrames& frames, const std::vector<std::size_t>& chosen,
   bool warned = false;
   for (std::size_t k = 0; k < steps.size(); ++k) {
     if (k == 0 || steps[k] != steps[k - 1]) {
-      image = snapshot.draw(frames.get(steps[k]));
-      const std::string fault = fault_on(*image, snapshot.canvas(), options);
+      const Frame frame = frames.get(steps[k]);
+      image = snapshot.draw(frame);
+      const std::string fault = fault_of_picture(snapshot.check(*image, frame), options.fit);
       if (!fault.empty() && !warned)
-        log.warn(fmt::format("{}, at {:.3f} ms: {}", film.file.string(),
-                             1e3 * frames.index().steps[steps[k]].time, fault));
+        log.warn(fmt::format("{}, at {}: {}", film.file.string(),
+                             time_text(frame.time, extent.look.time_digits), fault));
       warned = warned || !fault.empty();
     }
     writer.add(*image);
@@ -194,9 +187,10 @@ std::vector<fs::path> render_series(const RenderOptions& options, Log& log)
               cells, steps.size()));
 
   std::vector<fs::path> files;
-  const SeriesExtent extent = extent_of(frames, steps, options.look, options.fit);
+  const SeriesExtent extent = picture_extent(frames, steps, options.look, options.fit);
   for (const std::string& scene : options.scenes) {
-    SeriesExtent of_scene{scene_options(scene, extent.look), extent.bounds};
+    SeriesExtent of_scene{with_window(frames, steps, extent, scene_options(scene, extent.look), options.fit),
+                          extent.bounds};
     if (options.size && !options.montage) {
       of_scene.look.width = (*options.size)[0];
       of_scene.look.height = (*options.size)[1];

@@ -17,7 +17,7 @@ class Log;
 //! What the camera has to hold in every picture.
 enum class Fit
 {
-  all,   //!< the target, the bird at the start, and all but its outermost particles in every picture
+  all,   //!< the target, and the bird in every picture but for debris far off: see picture_extent
   start, //!< the target, and the bird at the start
   bird,  //!< as all, without the target
   target

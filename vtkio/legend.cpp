@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 
 namespace birdstrike {
 
@@ -52,11 +53,11 @@ void add_disc(vtkRenderer& renderer, double x, double y, double radius, const Co
 }
 
 // The colour map as a strip of small rectangles.
-void add_strip(vtkRenderer& renderer, const Rectangle& place)
+void add_strip(vtkRenderer& renderer, const Rectangle& place, ColourMap which)
 {
   constexpr int entries = 256;
   const bool upright = place.height > place.width;
-  vtkSmartPointer<vtkLookupTable> map = make_colour_map(0, entries - 1);
+  vtkSmartPointer<vtkLookupTable> map = make_colour_map(0, entries - 1, which);
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> faces;
   vtkNew<vtkUnsignedCharArray> colours;
@@ -104,30 +105,86 @@ void add_part_legend(vtkRenderer& renderer, const Rectangle& place, const std::v
   }
 }
 
+namespace {
+
+//! Title and unit of a bar as lines of words that are at most so many letters long, if the words are.
+std::vector<std::string> title_lines(const std::string& array, std::size_t letters)
+{
+  std::string words = array;
+  std::replace(words.begin(), words.end(), '_', ' ');
+  std::string unit = display_unit(array).unit;
+  std::replace(unit.begin(), unit.end(), ' ', '\x1f'); // a unit is one word
+  std::vector<std::string> lines;
+  std::istringstream text(words + " [" + unit + "]");
+  for (std::string word; text >> word;) {
+    std::replace(word.begin(), word.end(), '\x1f', ' ');
+    if (lines.empty() || lines.back().size() + 1 + word.size() > letters)
+      lines.push_back(word);
+    else
+      lines.back() += " " + word;
+  }
+  return lines;
+}
+
+struct BarTitle
+{
+  std::vector<std::string> lines;
+  int font;
+};
+
+bool is_upright(const Rectangle& place) { return place.height > place.width; }
+
+//! Of a lying bar's place that its title has.
+double title_share(const Rectangle& place, int font) { return place.width > 40 * font ? 0.3 : 0.42; }
+
+BarTitle title_of(const Rectangle& place, const std::string& array, int font, int most)
+{
+  const double width = is_upright(place) ? place.width : title_share(place, font) * place.width - font;
+  const std::size_t most_lines = is_upright(place) ? 3 : 2;
+  BarTitle title{{}, std::min(font, most)};
+  for (;; --title.font) { // as many letters as fit at that size
+    const std::size_t letters = fitting_letters(title.font, width);
+    std::size_t longest = 0;
+    title.lines = title_lines(array, letters);
+    for (const std::string& line : title.lines)
+      longest = std::max(longest, line.size());
+    if ((title.lines.size() <= most_lines && longest <= letters) || title.font <= 6)
+      return title;
+  }
+}
+
+} // namespace
+
+int bar_title_font(const Rectangle& place, const std::string& array, int font)
+{
+  return title_of(place, array, font, font).font;
+}
+
 void add_scalar_bar(vtkRenderer& renderer, const Rectangle& place, const std::string& array,
-                    const std::array<double, 2>& range, int font, const Colour& text)
+                    const std::array<double, 2>& range, int font, const Colour& text, ColourMap map,
+                    int title_font)
 {
   const DisplayUnit shown = display_unit(array);
-  std::string title = array;
-  std::replace(title.begin(), title.end(), '_', ' ');
-  const bool upright = place.height > place.width;
-  const double share = place.width > 40 * font ? 0.3 : 0.42; // of a lying bar's place that its title has
-  const int title_font = fitting_font(font, upright ? place.width : share * place.width - font,
-                                      title.size() + (upright ? 1 : 3 + shown.unit.size()));
-  const double title_height = 3.0 * font;
+  const bool upright = is_upright(place);
+  const BarTitle title = title_of(place, array, font, title_font);
+  const double share = title_share(place, font), row = 1.3 * title.font,
+               lines = static_cast<double>(title.lines.size());
+  // Of an upright bar above it, as high as two lines at least, so that bars beside each other begin alike.
+  const double title_height = std::max(3.0 * font, row * lines + 0.4 * font);
   const Rectangle bar =
       upright ? Rectangle{place.x, place.y + 0.6 * font, 1.2 * font, place.height - title_height - 1.2 * font}
               : Rectangle{place.x + share * place.width, place.y + place.height / 2,
                           (0.9 - share) * place.width, 1.0 * font};
-  add_strip(renderer, bar);
-  if (upright) {
-    renderer.AddActor2D(
-        make_text(title, place.x, place.y + place.height - 0.6 * font, title_font, Anchor::left, text));
-    renderer.AddActor2D(make_text("[" + shown.unit + "]", place.x, place.y + place.height - 1.9 * font,
-                                  title_font, Anchor::left, text));
-  } else {
-    renderer.AddActor2D(make_text(title + " [" + shown.unit + "]", bar.x - font, bar.y + bar.height / 2,
-                                  title_font, Anchor::right, text));
+  add_strip(renderer, bar, map);
+  for (std::size_t k = 0; k < title.lines.size(); ++k) {
+    const double down = row * static_cast<double>(k);
+    if (upright)
+      renderer.AddActor2D(make_text(title.lines[k], place.x, place.y + place.height - 0.6 * font - down,
+                                    title.font, Anchor::left, text));
+    else
+      renderer.AddActor2D(make_text(title.lines[k], bar.x - font,
+                                    bar.y + bar.height / 2 + row * (lines - 1) / 2 - down, title.font,
+                                    Anchor::right, text));
   }
 
   const double low = range[0] * shown.factor, high = range[1] * shown.factor;

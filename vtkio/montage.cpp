@@ -27,8 +27,7 @@ void write_montage(const std::vector<Frame>& frames, const Bounds& bounds, const
 }
 
 vtkSmartPointer<vtkImageData> draw_montage(const std::vector<Frame>& frames, const Bounds& bounds,
-                                           const MontageOptions& options,
-                                           std::vector<std::array<double, 4>>* canvases)
+                                           const MontageOptions& options, std::vector<PictureCheck>* checks)
 {
   const SnapshotOptions& panel = options.snapshot;
   check_options(panel);
@@ -49,7 +48,7 @@ vtkSmartPointer<vtkImageData> draw_montage(const std::vector<Frame>& frames, con
       std::max(12, static_cast<int>((options.height > 0 ? options.height / (rows + (above + below) / letters)
                                                         : panel.height) /
                                     letters));
-  const double title = above * font, legend = below * font;
+  const double title = above * font, legend = below * font, axes_size = 2.8 * font;
   const int width = options.width > 0 ? options.width : columns * panel.width;
   const int height =
       options.height > 0 ? options.height : rows * panel.height + static_cast<int>(title + legend);
@@ -66,6 +65,7 @@ vtkSmartPointer<vtkImageData> draw_montage(const std::vector<Frame>& frames, con
   const Colour ink = readable_on(panel.background);
   const Ranges ranges = ranges_of(frames, panel);
   std::vector<std::unique_ptr<Scene>> scenes;
+  std::vector<Rectangle> canvases;
   for (std::size_t k = 0; k < frames.size(); ++k) {
     const int column = static_cast<int>(k) % columns, row = static_cast<int>(k) / columns;
     const double x = column * panel_width, y = height - title - (row + 1.0) * panel_height;
@@ -75,17 +75,16 @@ vtkSmartPointer<vtkImageData> draw_montage(const std::vector<Frame>& frames, con
     scenes.push_back(std::make_unique<Scene>(look, bounds, canvas.width, canvas.height));
     scenes.back()->show(frames[k], ranges);
     page.place(*scenes.back(), canvas);
-    if (canvases)
-      canvases->push_back({canvas.x, canvas.y, canvas.width, canvas.height});
+    canvases.push_back(canvas);
     const std::string text =
-        options.captions.empty() ? fmt::format("{:.3f} ms", 1e3 * frames[k].time) : options.captions[k];
+        options.captions.empty() ? time_text(frames[k].time, panel.time_digits) : options.captions[k];
     page.ground().AddActor2D(make_text(fmt::format("{})  {}", static_cast<char>('a' + k), text),
                                        x + 0.6 * font, y + panel_height - caption / 2, font, Anchor::left,
                                        ink));
     if (k > 0 && (options.looks.empty() || options.looks[k - 1].view == look.view))
       continue; // the same camera again
     if (panel.axes)
-      page.add_axes(look.view, canvas, 2.8 * font);
+      page.add_axes(look.view, canvas, axes_size);
     if (panel.scale_bar) { // beside the caption, whose letters are some 0.65 as wide as high
       const double free = panel_width - 0.65 * font * static_cast<double>(text.size() + 4) - 2.4 * font;
       const double bar = std::clamp(free, 0.15 * panel_width, 0.3 * panel_width);
@@ -103,19 +102,38 @@ vtkSmartPointer<vtkImageData> draw_montage(const std::vector<Frame>& frames, con
   const bool of_bird = with_bird != frames.end();
   const bool of_target = !panel.target_field.empty() &&
                          std::any_of(frames.begin(), frames.end(), [](const Frame& f) { return f.target; });
-  Rectangle place{0.02 * width, 0.2 * font, 0.96 * width, legend - 0.4 * font};
-  if (panel.legend && of_target) { // beside the bird's
-    const Rectangle right{0.52 * width, place.y, 0.46 * width, place.height};
-    add_scalar_bar(page.ground(), of_bird ? right : place, panel.target_field, ranges.target, font, ink);
+  const bool by_part = panel.colour_by == "part";
+  Rectangle place{0.02 * width, 0.2 * font, 0.96 * width, legend - 0.4 * font}, right = place;
+  if (of_bird && of_target) { // side by side
     place.width = 0.46 * width;
+    right = {0.52 * width, place.y, place.width, place.height};
   }
+  int titles = font; // of both bars alike
+  if (of_target)
+    titles = std::min(titles, bar_title_font(right, panel.target_field, font));
+  if (of_bird && !by_part)
+    titles = std::min(titles, bar_title_font(place, panel.colour_by, font));
+  if (panel.legend && of_target)
+    add_scalar_bar(page.ground(), right, panel.target_field, ranges.target, font, ink, ranges.target_map,
+                   titles);
   if (panel.legend && of_bird) {
-    if (panel.colour_by == "part")
+    if (by_part)
       add_part_legend(page.ground(), place, parts_of(*with_bird->bird), font, ink);
     else
-      add_scalar_bar(page.ground(), place, panel.colour_by, ranges.bird, font, ink);
+      add_scalar_bar(page.ground(), place, panel.colour_by, ranges.bird, font, ink, ColourMap::viridis,
+                     titles);
   }
-  return page.draw();
+  auto image = page.draw();
+  for (std::size_t k = 0; checks && k < canvases.size(); ++k) {
+    const Rectangle& c = canvases[k];
+    std::vector<std::array<double, 4>> apart;
+    if (panel.axes)
+      apart.push_back({c.x, c.y, axes_size, axes_size});
+    checks->push_back(check_picture(*image, {c.x, c.y, c.width, c.height}, panel.background, apart));
+    if (frames[k].bird)
+      checks->back().outside = scenes[k]->share_outside(*frames[k].bird);
+  }
+  return image;
 }
 
 } // namespace birdstrike

@@ -34,10 +34,9 @@ struct MontageOptions
 void write_montage(const std::vector<Frame>& frames, const Bounds& bounds, const MontageOptions& options,
                    const std::filesystem::path& png);
 
-//! The same as an image. \param canvases  if not null: the parts of the picture that scenes are drawn on, as
-//!                                       Snapshot::canvas gives them
+//! The same as an image. \param checks  if not null: what is on each panel, as Snapshot::check tells it
 vtkSmartPointer<vtkImageData> draw_montage(const std::vector<Frame>& frames, const Bounds& bounds,
                                            const MontageOptions& options,
-                                           std::vector<std::array<double, 4>>* canvases = nullptr);
+                                           std::vector<PictureCheck>* checks = nullptr);
 
 } // namespace birdstrike

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Colours that colour-blind people can tell apart: those of Okabe and Ito, and the map viridis.
+// Colours that colour-blind people can tell apart: those of Okabe and Ito, and the maps viridis and OrRd of ColorBrewer.
 #include "vtkio/palette.h"
 
 #include "core/error.h"
@@ -20,13 +20,13 @@ constexpr Colour rgb(unsigned int code)
 }
 
 constexpr Colour blue = rgb(0x0072b2), sky = rgb(0x56b4e9), orange = rgb(0xe69f00), green = rgb(0x009e73),
-                 vermillion = rgb(0xd55e00), purple = rgb(0xcc79a7), yellow = rgb(0xf0e442),
+                 vermillion = rgb(0xd55e00), purple = rgb(0xcc79a7), gold = rgb(0xc99700),
                  grey = rgb(0x8a8a8a), black = rgb(0x000000), red = rgb(0xc8281e), brown = rgb(0xcf8f3c);
 
 // Part of a name -> colour; the first that fits counts.
 const std::pair<const char*, Colour> roles[] = {
     {"head", blue},   {"neck", sky},  {"torso", brown}, {"body", brown}, {"bone", green},
-    {"spine", green}, {"wing", grey}, {"lung", red},    {"leg", purple}, {"beak", yellow}};
+    {"spine", green}, {"wing", grey}, {"lung", red},    {"leg", purple}, {"beak", gold}};
 
 } // namespace
 
@@ -58,15 +58,18 @@ Colour part_colour(const std::string& name, std::size_t number)
   for (const auto& [role, colour] : roles)
     if (name.find(role) != std::string::npos)
       return colour;
-  static constexpr std::array others{orange, purple, yellow, sky, green, blue};
+  static constexpr std::array others{vermillion, purple, gold, sky, green, blue};
   return others[number % others.size()];
 }
 
-vtkSmartPointer<vtkLookupTable> make_colour_map(double lowest, double highest)
+vtkSmartPointer<vtkLookupTable> make_colour_map(double lowest, double highest, ColourMap which)
 {
-  static constexpr std::array points{rgb(0x440154), rgb(0x472d7b), rgb(0x3b528b),
-                                     rgb(0x2c728e), rgb(0x21918c), rgb(0x28ae80),
-                                     rgb(0x5ec962), rgb(0xaddc30), rgb(0xfde725)};
+  static constexpr std::array viridis{rgb(0x440154), rgb(0x472d7b), rgb(0x3b528b),
+                                      rgb(0x2c728e), rgb(0x21918c), rgb(0x28ae80),
+                                      rgb(0x5ec962), rgb(0xaddc30), rgb(0xfde725)};
+  static constexpr std::array heat{rgb(0xfff7ec), rgb(0xfee8c8), rgb(0xfdd49e), rgb(0xfdbb84), rgb(0xfc8d59),
+                                   rgb(0xef6548), rgb(0xd7301f), rgb(0xb30000), rgb(0x7f0000)};
+  const auto& points = which == ColourMap::heat ? heat : viridis;
   constexpr int entries = 256;
   auto map = vtkSmartPointer<vtkLookupTable>::New();
   map->SetNumberOfTableValues(entries);

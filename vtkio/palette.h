@@ -25,10 +25,20 @@ Colour line_colour(std::size_t k);
 
 //! Colour of a bird's part. Names that occur in birds have fixed roles, after figure 8.7 of the dissertation:
 //! head and neck blue, torso orange brown, bones green, wings grey, lungs red. Others take what is left by
-//! their number.
+//! their number. None is as bright as the target or white paper.
 Colour part_colour(const std::string& name, std::size_t number);
 
-//! Dark blue to yellow, rising evenly in brightness (viridis).
-vtkSmartPointer<vtkLookupTable> make_colour_map(double lowest, double highest);
+//! What values are turned into.
+enum class ColourMap
+{
+  viridis, //!< dark blue to yellow, rising evenly in brightness
+  heat     //!< pale to dark red, falling evenly: for the target where the bird has the other one
+};
+
+vtkSmartPointer<vtkLookupTable> make_colour_map(double lowest, double highest,
+                                                ColourMap map = ColourMap::viridis);
+
+//! Of a target that nothing colours: paler than any part of a bird by 2 : 1 and more in luminance.
+inline constexpr Colour plain_target{0xec / 255.0, 0xf0 / 255.0, 0xf5 / 255.0};
 
 } // namespace birdstrike

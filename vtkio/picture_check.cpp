@@ -12,7 +12,8 @@
 
 namespace birdstrike {
 
-PictureCheck check_picture(vtkImageData& image, const std::array<double, 4>& part, const Colour& background)
+PictureCheck check_picture(vtkImageData& image, const std::array<double, 4>& part, const Colour& background,
+                           const std::vector<std::array<double, 4>>& apart)
 {
   constexpr int tolerance = 12; // of 255; smooth edges of texts fade into the background
   constexpr int darkest = 30;
@@ -28,6 +29,11 @@ PictureCheck check_picture(vtkImageData& image, const std::array<double, 4>& par
     ground[k] = static_cast<int>(std::lround(255 * background[k]));
 
   std::array<double, 4> sides{}; // left, right, bottom, top
+  const auto is_apart = [&](int x, int y) {
+    return std::any_of(apart.begin(), apart.end(), [&](const std::array<double, 4>& one) {
+      return x >= one[0] && x < one[0] + one[2] && y >= one[1] && y < one[1] + one[3];
+    });
+  };
   double drawn = 0, dark = 0;
   for (int y = y0; y < y1; ++y)
     for (int x = x0; x < x1; ++x) {
@@ -35,7 +41,7 @@ PictureCheck check_picture(vtkImageData& image, const std::array<double, 4>& par
       bool is_ground = true;
       for (std::size_t k = 0; k < 3; ++k)
         is_ground = is_ground && std::abs(c[k] - ground[k]) <= tolerance;
-      if (is_ground)
+      if (is_ground || is_apart(x, y))
         continue;
       ++drawn;
       dark += std::max({c[0], c[1], c[2]}) < darkest;
@@ -67,6 +73,9 @@ std::string fault_of(const PictureCheck& check)
     return "it is black";
   if (check.border > 0.03)
     return fmt::format("what it shows is cut off: {:.0f} % of a side are covered", 100 * check.border);
+  if (check.outside > 0.02)
+    return fmt::format("what it shows is cut off: {:.0f} % of the bird's particles lie beyond its sides",
+                       100 * check.outside);
   return "";
 }
 

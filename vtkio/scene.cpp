@@ -58,20 +58,19 @@ std::string part_name(vtkUnstructuredGrid& bird, int part)
   return names && part < names->GetNumberOfValues() ? names->GetValue(part) : "part_" + std::to_string(part);
 }
 
-// Half the edge of the cube that a particle stands for, a little more so that a dense bird shows no gaps. The cube is
+// By ball_radius of the cube that a particle stands for. The cube is
 // that of the lattice at the start; series that do not tell it (other solvers') give it by mass and density.
 std::vector<float> radii_of(vtkUnstructuredGrid& bird)
 {
-  constexpr double share = 0.62;
   const auto count = static_cast<std::size_t>(bird.GetNumberOfPoints());
   vtkDataArray* spacing = bird.GetFieldData()->GetArray("spacing");
   if (spacing && spacing->GetNumberOfTuples() == 1 && spacing->GetTuple1(0) > 0)
-    return std::vector<float>(count, static_cast<float>(share * spacing->GetTuple1(0)));
+    return std::vector<float>(count, static_cast<float>(ball_radius * spacing->GetTuple1(0)));
   const ShownArray mass = find_array(bird, "mass"), density = find_array(bird, "density");
   std::vector<float> radii(count);
   for (std::size_t i = 0; i < count; ++i) {
     const auto k = static_cast<vtkIdType>(i);
-    radii[i] = static_cast<float>(share * std::cbrt(mass.value(k) / density.value(k)));
+    radii[i] = static_cast<float>(ball_radius * std::cbrt(mass.value(k) / density.value(k)));
   }
   return radii;
 }
@@ -125,7 +124,8 @@ Ranges ranges_of(const std::vector<Frame>& frames, const SnapshotOptions& option
     if (frame.target && !options.target_field.empty())
       target.push_back(range_of_target(*frame.target, options.target_field));
   }
-  return {chosen_range(options.range, bird), chosen_range(options.target_range, target)};
+  return {chosen_range(options.range, bird), chosen_range(options.target_range, target),
+          bird.empty() || target.empty() ? ColourMap::viridis : ColourMap::heat};
 }
 
 bool is_cut(const SnapshotOptions& options)
@@ -222,13 +222,27 @@ double width_over_height(const Bounds& bounds, View view)
   return std::max(half.x(), 1e-9) / std::max(half.y(), 1e-9);
 }
 
+double width_over_height(const Bounds& bounds, const SnapshotOptions& options)
+{
+  if (!options.window)
+    return width_over_height(bounds, options.view);
+  const PictureWindow& w = *options.window;
+  return std::max(w[1] - w[0], 1e-9) / std::max(w[3] - w[2], 1e-9);
+}
+
 void Scene::place_camera(const Bounds& bounds, double aspect, double height)
 {
   const CameraAxes axes = camera_axes(options_.view);
   const Vector direction(axes.direction.data()), up(axes.up.data());
   const Vector low(bounds[0], bounds[2], bounds[4]), high(bounds[1], bounds[3], bounds[5]);
-  const Vector centre = (low + high) / 2;
-  const Vector half = half_size(bounds, options_.view);
+  Vector centre = (low + high) / 2, half = half_size(bounds, options_.view);
+  if (const auto& w = options_.window) {
+    const Vector right = direction.cross(up);
+    centre += right * (((*w)[0] + (*w)[1]) / 2 - centre.dot(right)) +
+              up * (((*w)[2] + (*w)[3]) / 2 - centre.dot(up));
+    half.x() = ((*w)[1] - (*w)[0]) / 2;
+    half.y() = ((*w)[3] - (*w)[2]) / 2;
+  }
   const double reach = std::max({half.x(), half.y(), half.z(), 1e-6});
   vtkCamera& camera = *renderer_->GetActiveCamera();
   const Vector eye = centre - direction * 10 * reach;
@@ -236,8 +250,11 @@ void Scene::place_camera(const Bounds& bounds, double aspect, double height)
   camera.SetFocalPoint(centre.x(), centre.y(), centre.z());
   camera.SetPosition(eye.x(), eye.y(), eye.z());
   camera.SetViewUp(up.x(), up.y(), up.z());
-  camera.SetParallelScale(1.04 * std::max(half.y(), half.x() / aspect));
+  camera.SetParallelScale(1.04 * std::max({half.y(), half.x() / aspect, 1e-9}));
   metres_per_pixel_ = 2 * camera.GetParallelScale() / height;
+  target_.set_scale(metres_per_pixel_);
+  centre_ = {centre.x(), centre.y(), centre.z()};
+  half_size_ = {camera.GetParallelScale() * aspect, camera.GetParallelScale()};
   camera.SetClippingRange(1 * reach,
                           19 * reach); // debris may leave the box towards the camera or away from it
 }
@@ -247,7 +264,25 @@ void Scene::show(const Frame& frame, const Ranges& ranges)
   bird_->SetVisibility(frame.bird != nullptr);
   if (frame.bird)
     show_bird(*frame.bird, ranges.bird);
-  target_.show(frame.target, ranges.target);
+  target_.show(frame.target, ranges);
+}
+
+double Scene::share_outside(vtkUnstructuredGrid& bird) const
+{
+  const CameraAxes axes = camera_axes(options_.view);
+  const Vector direction(axes.direction.data()), up(axes.up.data()), right = direction.cross(up);
+  const std::optional<HalfSpace> keep = kept(options_);
+  double shown = 0, outside = 0;
+  for (vtkIdType i = 0; i < bird.GetNumberOfPoints(); ++i) {
+    std::array<double, 3> p{};
+    bird.GetPoint(i, p.data());
+    if ((keep && keep->depth(p) < 0) || !std::isfinite(p[0] + p[1] + p[2]))
+      continue;
+    const Vector place = Vector(p.data()) - Vector(centre_.data());
+    ++shown;
+    outside += std::abs(place.dot(right)) > half_size_[0] || std::abs(place.dot(up)) > half_size_[1];
+  }
+  return shown > 0 ? outside / shown : 0;
 }
 
 void Scene::show_bird(vtkUnstructuredGrid& bird, const std::array<double, 2>& range)

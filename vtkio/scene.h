@@ -36,6 +36,8 @@ std::array<double, 2> range_of(vtkUnstructuredGrid& bird, const std::string& arr
 struct Ranges
 {
   std::array<double, 2> bird{0, 1}, target{0, 1};
+  //! The target's: its own where bird and target both show a field, or one would vanish before the other.
+  ColourMap target_map = ColourMap::viridis;
 };
 
 //! Ranges that the options fix; the others hold all of the frames.
@@ -53,6 +55,8 @@ public:
 
   vtkRenderer& renderer() { return *renderer_; }
   double metres_per_pixel() const { return metres_per_pixel_; }
+  //! Share of the particles, of those that are not cut away, whose middles lie beyond the sides of the picture.
+  double share_outside(vtkUnstructuredGrid& bird) const;
 
 private:
   void place_camera(const Bounds& bounds, double aspect, double height);
@@ -64,7 +68,13 @@ private:
   vtkNew<vtkActor> bird_;
   TargetActors target_;
   double metres_per_pixel_ = 0;
+  std::array<double, 3> centre_{};    //!< of the picture, in space [m]
+  std::array<double, 2> half_size_{}; //!< of the picture, along right and up [m]
 };
+
+//! Of a particle as it is drawn, over the edge of the cube that it stands for: half, and a little more so that a dense
+//! bird shows no gaps.
+inline constexpr double ball_radius = 0.62;
 
 //! Whether a picture with these options leaves out what lies before the plane.
 bool is_cut(const SnapshotOptions& options);
@@ -82,5 +92,7 @@ CameraAxes camera_axes(View view);
 
 //! Of the picture of a box seen from there.
 double width_over_height(const Bounds& bounds, View view);
+//! Of a picture with these options: of its window, else of the box.
+double width_over_height(const Bounds& bounds, const SnapshotOptions& options);
 
 } // namespace birdstrike

@@ -60,6 +60,9 @@ std::string names_of_arrays(vtkFieldData& data)
 {
   std::string names;
   for (int k = 0; k < data.GetNumberOfArrays(); ++k) {
+    if (!data.GetArrayName(k) ||
+        std::string(data.GetArrayName(k)).starts_with("vtk")) // VTK's own marks, such as vtkGhostType
+      continue;
     names += std::string(names.empty() ? "" : ", ") + data.GetArrayName(k);
     if (vtkDataArray* array = data.GetArray(k); array && array->GetNumberOfComponents() == 3)
       names += " (or " + std::string(data.GetArrayName(k)) + "_x, _y, _z)";

@@ -5,20 +5,25 @@
 #include "core/error.h"
 #include "vtkio/page.h"
 #include "vtkio/scale_bar.h"
+#include "vtkio/scene.h"
 #include "vtkio/slab.h"
 #include "vtkio/text_style.h"
 #include "vtkio/visible_shell.h"
 #include "vtkio/write_png.h"
 
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkPolyData.h>
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace birdstrike {
@@ -63,6 +68,62 @@ Bounds bounds_of(const std::vector<Frame>& frames)
 
 Bounds bounds_of(const Frame& frame) { return bounds_of(std::vector<Frame>{frame}); }
 
+namespace {
+
+void hold(std::optional<PictureWindow>& window, const double* p, View view, double radius)
+{
+  const CameraAxes axes = camera_axes(view);
+  const Eigen::Vector3d point(p), direction(axes.direction.data()), up(axes.up.data());
+  const double x = point.dot(direction.cross(up)), y = point.dot(up);
+  if (!window)
+    window = {none, -none, none, -none};
+  PictureWindow& w = *window;
+  w = {std::min(w[0], x - radius), std::max(w[1], x + radius), std::min(w[2], y - radius),
+       std::max(w[3], y + radius)};
+}
+
+} // namespace
+
+void hold_bird(std::optional<PictureWindow>& window, vtkUnstructuredGrid& bird,
+               const SnapshotOptions& options, const Bounds& within)
+{
+  vtkDataArray* spacing = bird.GetFieldData()->GetArray("spacing");
+  const double radius =
+      spacing && spacing->GetNumberOfTuples() > 0 ? ball_radius * spacing->GetComponent(0, 0) : 0;
+  const std::optional<HalfSpace> keep = kept(options);
+  for (vtkIdType i = 0; i < bird.GetNumberOfPoints(); ++i) {
+    std::array<double, 3> p{};
+    bird.GetPoint(i, p.data());
+    bool inside = !keep || keep->depth(p) >= 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      inside = inside && p[k] >= within[2 * k] && p[k] <= within[2 * k + 1];
+    if (inside)
+      hold(window, p.data(), options.view, radius);
+  }
+}
+
+void hold_target(std::optional<PictureWindow>& window, vtkUnstructuredGrid& target,
+                 const SnapshotOptions& options)
+{
+  const auto slab = make_slab(*visible_shell(target, kept(options)), thickness_of(target));
+  for (vtkIdType i = 0; i < slab->GetNumberOfPoints(); ++i)
+    hold(window, slab->GetPoint(i), options.view, 0);
+}
+
+int digits_of(std::vector<double> times)
+{
+  constexpr int fewest = 3, most = 9;
+  std::sort(times.begin(), times.end());
+  double apart = none;
+  for (std::size_t k = 1; k < times.size(); ++k)
+    if (times[k] > times[k - 1])
+      apart = std::min(apart, 1e3 * (times[k] - times[k - 1]));
+  const double digits = std::isfinite(apart) ? std::ceil(-std::log10(apart) - 1e-6) : 0;
+  return static_cast<int>(std::clamp<double>(digits, fewest, most));
+}
+
+std::string time_text(double time, int digits) { return fmt::format("{:.{}f} ms", 1e3 * time, digits); }
+
 struct Snapshot::State
 {
   State(const SnapshotOptions& chosen, const Bounds& bounds)
@@ -74,9 +135,11 @@ struct Snapshot::State
   {
     page.place(scene, canvas);
     if (options.axes)
-      page.add_axes(options.view, canvas, 5.0 * font);
+      page.add_axes(options.view, canvas, axes_size());
   }
   double legend_width() const { return options.legend ? 8.5 * font : 0; }
+  double axes_size() const { return 5.0 * font; }
+  Rectangle scale_bar_place() const;
 
   void add_texts(const Frame& frame, const Ranges& ranges);
 
@@ -87,19 +150,22 @@ struct Snapshot::State
   Scene scene;
 };
 
+Rectangle Snapshot::State::scale_bar_place() const
+{
+  const double width = legend_width() > 0 ? legend_width() - 1.6 * font : 0.16 * options.width;
+  return {options.width - 0.8 * font - width, 0.8 * font, width, 1.5 * font};
+}
+
 void Snapshot::State::add_texts(const Frame& frame, const Ranges& ranges)
 {
   const Colour ink = readable_on(options.background);
   const double top = options.height - 1.0 * font;
   page.ground().AddActor2D(make_text(options.title, 0.6 * font, top, font, Anchor::left, ink));
   if (options.time_stamp)
-    page.ground().AddActor2D(make_text(fmt::format("t = {:.3f} ms", 1e3 * frame.time),
+    page.ground().AddActor2D(make_text("t = " + time_text(frame.time, options.time_digits),
                                        options.width - 0.6 * font, top, font, Anchor::right, ink));
-  if (options.scale_bar) {
-    const double width = legend_width() > 0 ? legend_width() - 1.6 * font : 0.16 * options.width;
-    add_scale_bar(page.ground(), {options.width - 0.8 * font - width, 0.8 * font, width, 1.5 * font},
-                  scene.metres_per_pixel(), font, ink);
-  }
+  if (options.scale_bar)
+    add_scale_bar(page.ground(), scale_bar_place(), scene.metres_per_pixel(), font, ink);
   if (!options.legend)
     return;
   if (is_cut(options)) {
@@ -112,18 +178,25 @@ void Snapshot::State::add_texts(const Frame& frame, const Ranges& ranges)
       options.scale_bar ? std::max(0.16, 4.2 * font / options.height) : 0.12;
   Rectangle place{canvas.width + 0.4 * font, foot * options.height, legend_width() - 0.8 * font,
                   (0.88 - foot) * options.height};
-  const bool of_target = frame.target && !options.target_field.empty();
-  if (of_target && frame.bird) { // one above the other, the target's below
+  const bool of_target = frame.target && !options.target_field.empty(), by_part = options.colour_by == "part";
+  if (of_target && frame.bird) // one above the other, the target's below
     place.height = 0.47 * place.height;
-    add_scalar_bar(page.ground(), place, options.target_field, ranges.target, font, ink);
-    place.y = 0.88 * options.height - place.height;
-  } else if (of_target) {
-    add_scalar_bar(page.ground(), place, options.target_field, ranges.target, font, ink);
-  }
-  if (frame.bird && options.colour_by == "part")
+  int titles = font; // of both bars alike
+  if (of_target)
+    titles = std::min(titles, bar_title_font(place, options.target_field, font));
+  if (frame.bird && !by_part)
+    titles = std::min(titles, bar_title_font(place, options.colour_by, font));
+  if (of_target)
+    add_scalar_bar(page.ground(), place, options.target_field, ranges.target, font, ink, ranges.target_map,
+                   titles);
+  if (!frame.bird)
+    return;
+  place.y = 0.88 * options.height - place.height;
+  if (by_part)
     add_part_legend(page.ground(), place, parts_of(*frame.bird), font, ink);
-  else if (frame.bird)
-    add_scalar_bar(page.ground(), place, options.colour_by, ranges.bird, font, ink);
+  else
+    add_scalar_bar(page.ground(), place, options.colour_by, ranges.bird, font, ink, ColourMap::viridis,
+                   titles);
 }
 
 Snapshot::Snapshot(const SnapshotOptions& options, const Bounds& bounds)
@@ -147,6 +220,21 @@ std::array<double, 4> Snapshot::canvas() const
 {
   const Rectangle& c = state_->canvas;
   return {c.x, c.y, c.width, c.height};
+}
+
+PictureCheck Snapshot::check(vtkImageData& image, const Frame& frame) const
+{
+  const State& s = *state_;
+  std::vector<std::array<double, 4>> apart;
+  if (s.options.axes)
+    apart.push_back({s.canvas.x, s.canvas.y, s.axes_size(), s.axes_size()});
+  if (s.options.scale_bar) {
+    const Rectangle bar = s.scale_bar_place(); // and half a letter around it, for the text
+    apart.push_back({bar.x - 0.5 * s.font, bar.y, bar.width + s.font, bar.height + 0.5 * s.font});
+  }
+  PictureCheck check = check_picture(image, canvas(), s.options.background, apart);
+  check.outside = frame.bird ? s.scene.share_outside(*frame.bird) : 0;
+  return check;
 }
 
 void Snapshot::write(const Frame& frame, const std::filesystem::path& png) { write_png(*draw(frame), png); }

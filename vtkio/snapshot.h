@@ -3,6 +3,7 @@
 #pragma once
 
 #include "vtkio/cut_plane.h"
+#include "vtkio/picture_check.h"
 #include "vtkio/series_reader.h"
 
 #include <array>
@@ -10,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 class vtkImageData;
 
@@ -30,6 +32,9 @@ enum class View
 //! "side", "front", "top", "isometric", "behind". \throw InputError listing these for another name
 View view_from_name(const std::string& name);
 
+//! What a picture holds along its right and its up axis, seen from the origin [m]: right from, to, up from, to.
+using PictureWindow = std::array<double, 4>;
+
 struct SnapshotOptions
 {
   std::string colour_by =
@@ -41,8 +46,9 @@ struct SnapshotOptions
       cut;        //!< show only what lies behind the plane, of bird and target, so that inner parts and
                   //!< a dent are seen; otherwise: by part, from the side, yes; else no
   CutPlane plane; //!< of the cut; y = 0 if nothing is said
-  std::string target_field; //!< point or cell array of the target to colour it by ("displacement",
-                            //!< "plastic_strain", ...; vectors by their length); empty: grey
+  std::optional<PictureWindow> window; //!< otherwise what the bounds of the scene look like from there
+  std::string target_field;            //!< point or cell array of the target to colour it by ("displacement",
+                                       //!< "plastic_strain", ...; vectors by their length); empty: grey
   std::optional<std::array<double, 2>>
       target_range;          //!< of that array, in its SI unit; the frame's own range otherwise
   double target_opacity = 1; //!< 0 ... 1, that what is behind the target is seen
@@ -50,9 +56,10 @@ struct SnapshotOptions
   std::string title;         //!< top left; empty: none
   bool legend = true;        //!< names of the parts, or the scalar bar
   bool time_stamp = true;
-  bool axes = true;                                   //!< arrows that say where x, y and z point
-  bool scale_bar = false;                             //!< a round length, at the lower right
-  int width = 1280, height = 720;                     //!< [pixel]
+  int time_digits = 3;            //!< behind the point of a time in milliseconds; see digits_of
+  bool axes = true;               //!< arrows that say where x, y and z point
+  bool scale_bar = false;         //!< a round length, at the lower right
+  int width = 1280, height = 720; //!< [pixel]
   std::array<double, 3> background = {1.0, 1.0, 1.0}; //!< red, green, blue, each 0 ... 1
 };
 
@@ -65,6 +72,18 @@ Bounds bounds_of(const Frame& frame);
 
 //! Bounds of the bird in the first frame and of the target in all of them: hold the pictures of a target that bends.
 Bounds bounds_of(const std::vector<Frame>& frames);
+
+//! Takes particles into a window [m], those that are not cut away and lie within a box, as large as they are drawn.
+void hold_bird(std::optional<PictureWindow>& window, vtkUnstructuredGrid& bird,
+               const SnapshotOptions& options, const Bounds& within);
+//! Takes what is seen of a target into a window.
+void hold_target(std::optional<PictureWindow>& window, vtkUnstructuredGrid& target,
+                 const SnapshotOptions& options);
+
+//! Digits behind the point of times in milliseconds [s] with which any two of them look different, three at least.
+int digits_of(std::vector<double> times);
+//! "1.250 ms".
+std::string time_text(double time, int digits);
 
 //! Draws one picture after another with the same camera. Elements of the target that have eroded (cell array "eroded"
 //! = 1, or HIDDENCELL in vtkGhostType) are not drawn.
@@ -82,6 +101,9 @@ public:
 
   //! The part of the picture that the scene is drawn on: x, y, width, height from the lower left corner [pixel].
   std::array<double, 4> canvas() const;
+
+  //! What is on that part of the picture of a frame, axes and scale bar aside.
+  PictureCheck check(vtkImageData& image, const Frame& frame) const;
 
   //! Draw and write a PNG. \throw InputError as draw, OutputError as write_png
   void write(const Frame& frame, const std::filesystem::path& png);

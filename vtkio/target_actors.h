@@ -9,9 +9,12 @@
 
 class vtkActor;
 class vtkPolyDataMapper;
+class vtkPolyData;
 class vtkRenderer;
 
 namespace birdstrike {
+
+struct Ranges;
 
 class TargetActors
 {
@@ -20,9 +23,12 @@ public:
   ~TargetActors();
 
   //! \param target  null to show none
-  //! \param range   of options.target_field, in SI; not used without one
+  //! \param ranges  with that of options.target_field, in SI, and its colour map; not used without one
   //! \throw InputError if the target lacks that array
-  void show(vtkUnstructuredGrid* target, const std::array<double, 2>& range);
+  void show(vtkUnstructuredGrid* target, const Ranges& ranges);
+
+  //! Lines between elements that are only few pixels wide would cover them: they fade, see show.
+  void set_scale(double metres_per_pixel) { metres_per_pixel_ = metres_per_pixel; }
 
 private:
   struct Surface
@@ -30,13 +36,16 @@ private:
     vtkNew<vtkPolyDataMapper> mapper;
     vtkNew<vtkActor> actor;
   };
-  void colour_by_field(vtkUnstructuredGrid& shell, const std::array<double, 2>& range);
+  void colour_by_field(vtkUnstructuredGrid& shell, const Ranges& ranges);
+  void set_edges(vtkPolyData& faces);
 
   std::string field_;
   std::array<double, 3> direction_; // of the camera
-  bool along_axis_;
+  bool along_axis_, edges_;
+  double metres_per_pixel_ = 0;
   std::optional<HalfSpace> keep_;
   Surface with_edges_, edge_on_, rim_;
+  Surface outline_; //!< the rim's lines: a pale plate on a light page
 };
 
 //! Lowest and highest finite value (length, for vectors) of a point or cell array on the

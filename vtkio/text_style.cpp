@@ -66,10 +66,18 @@ vtkSmartPointer<vtkTextActor> make_text(const std::string& text, double x, doubl
   return actor;
 }
 
+namespace {
+constexpr double wide = 0.62; // a letter over its height
+}
+
 int fitting_font(int font, double width, std::size_t letters)
 {
-  constexpr double wide = 0.62; // a letter over its height
   return std::max(6, std::min(font, static_cast<int>(width / (wide * static_cast<double>(letters)))));
+}
+
+std::size_t fitting_letters(int font, double width)
+{
+  return static_cast<std::size_t>(std::max(1.0, width / (wide * font)));
 }
 
 std::array<double, 3> readable_on(const std::array<double, 3>& background)

@@ -31,6 +31,9 @@ vtkSmartPointer<vtkTextActor> make_text(const std::string& text, double x, doubl
 //! A font no larger than asked for [pixel] with which so many letters fit into a width [pixel].
 int fitting_font(int font, double width, std::size_t letters);
 
+//! Letters that fit into a width with a font [pixel].
+std::size_t fitting_letters(int font, double width);
+
 //! Black or white, whichever can be read on this background.
 std::array<double, 3> readable_on(const std::array<double, 3>& background);
 

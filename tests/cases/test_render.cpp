@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // birdstrike render as a user calls it: pictures, montages, films, and what contradicts itself.
+#include "cases/render_extent.h"
 #include "cases/render_texts.h"
-#include "cases/series_frames.h"
 #include "core/error.h"
 #include "scratch.h"
 #include "tests/vtkio/made_run.h"
@@ -9,13 +9,16 @@
 #include "vtkio/particles_to_vtk.h"
 #include "vtkio/series_writer.h"
 #include "vtkio/shells_to_vtk.h"
+#include "vtkio/shown_array.h"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
+#include <vtkCellData.h>
 #include <vtkImageData.h>
 #include <vtkPNGReader.h>
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <cmath>
@@ -101,6 +104,9 @@ TEST_CASE("options of render that cannot be meant are refused with the remedy", 
       {"--montage 2x2 --frames 5", {"4 panels", "5 frames"}},
       {"--montage 2", {"--montage", "2x4"}},
       {"--size 20x20", {"20 x 20", "64"}},
+      {"--size 100000x100000", {"--size", "1 to 16384"}},
+      {"--size 3x99999999999999", {"--size", "1 to 16384"}},
+      {"--size 2x", {"--size", "two whole numbers"}},
       {"--size 200x200 --print '20 mm'", {"excludes"}},
       {"--print '1 mm'", {"--print", "pixels"}},
       {"--dpi 100", {"--dpi", "--print"}},
@@ -128,6 +134,95 @@ TEST_CASE("options of render that cannot be meant are refused with the remedy", 
   CHECK_FALSE(fs::exists(run.folder.path / "f.mp4"));
   CHECK_THAT(run.render("--scene side").output, Contains("-o is missing"));
   CHECK_THAT(program(run.folder.path, "render . -o out").output, Contains("not the folder of a run"));
+  CHECK_THAT(program(run.folder.path, "render run/case.toml -o out").output,
+             Contains("run/case.toml is a case and not a run") && Contains("birdstrike run run/case.toml"));
+  run.folder.write("run/histories.csv", "time[s],a[m]\n0,1\n1,2\n");
+  CHECK_THAT(program(run.folder.path, "plot run --column a -o p.png --size 10x10").output,
+             Contains("--size: \"10x10\"") && Contains("64 to 16384"));
+}
+
+TEST_CASE("VTK's own marks are no fields to colour by, and a series of others is told what it lacks",
+          "[cases][render][errors]")
+{
+  const MadeRun run;
+  const auto plate = plate_to_vtk(made_plate(), 0);
+  auto ghosts = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  ghosts->SetName("vtkGhostType");
+  for (vtkIdType k = 0; k < plate->GetNumberOfCells(); ++k)
+    ghosts->InsertNextValue(0);
+  plate->GetCellData()->AddArray(ghosts);
+  const std::string names = names_of_arrays(*plate->GetCellData());
+  CHECK_THAT(names, !Contains("vtkGhostType") && Contains("contact_pressure"));
+
+  const std::string pvd = "<VTKFile type=\"Collection\"><Collection><DataSet timestep=\"0\" part=\"0\" "
+                          "file=\"run/frames/bird_0000.vtu\"/></Collection></VTKFile>";
+  run.folder.write("foreign.pvd", pvd);
+  for (const char* options : {"-o out", "-o out --scene side"}) {
+    const Outcome outcome = program(run.folder.path, std::string("render foreign.pvd ") + options);
+    INFO(outcome.output);
+    CHECK(outcome.status == 2);
+    CHECK_THAT(outcome.output, Contains("in this series") && Contains("name=\"bird\"") && Contains("target"));
+  }
+}
+
+TEST_CASE("a picture that is empty or cut off is warned of, debris is held", "[cases][render]")
+{
+  const MadeRun run;
+  const Outcome empty = run.render("-o a --scene cut --cut-plane 'y = 12 m' --times '0 ms' --quiet");
+  CHECK(empty.status == 0);
+  CHECK_THAT(empty.output, Contains("cut_by_part_0.png: it is empty"));
+  CHECK(run.render("-o b --scene front --scene isometric --quiet").output.empty());
+
+  // The same bird; a jet of 1 % of it ahead of the rest, and a tenth of it that flies off.
+  for (const auto& [name, share, away] : {std::tuple("jet", 100, 0.25), std::tuple("burst", 10, 9.0)}) {
+    SeriesWriter series(run.folder.path / name);
+    for (int k = 0; k < 2; ++k) {
+      Particles bird = made_bird(0.016);
+      for (std::size_t i = 0; k == 1 && i < bird.x.size(); i += static_cast<std::size_t>(share))
+        bird.z[i] += away;
+      series.write_frame(1e-3 * k, *particles_to_vtk(bird, 1e-3 * k), plate_to_vtk(made_plate(), 1e-3 * k));
+    }
+    SeriesFrames frames(run.folder.path / name / "run.pvd", true, true);
+    const SeriesExtent extent = picture_extent(frames, {0, 1}, {}, Fit::all);
+    const SnapshotOptions side =
+        with_window(frames, {0, 1}, extent, scene_options("side", extent.look), Fit::all);
+    REQUIRE(side.window);
+    double highest = -1;
+    vtkUnstructuredGrid& bird = *frames.get(1).bird;
+    for (vtkIdType i = 0; i < bird.GetNumberOfPoints(); ++i)
+      highest = std::max(highest, bird.GetPoint(i)[2]);
+    const std::string output =
+        program(run.folder.path, fmt::format("render {} -o c --scene side --quiet", name)).output;
+    if (away < 1) {
+      CHECK((*side.window)[3] >= highest - 1e-9);
+      CHECK(output.empty());
+    } else {
+      CHECK((*side.window)[3] < highest);
+      CHECK_THAT(output, Contains("side_by_part_1.png") && Contains("cut off: 10 % of the bird's particles"));
+    }
+  }
+}
+
+TEST_CASE("without options a run's own histories are drawn, else what its frames tell", "[cases][render]")
+{
+  const MadeRun run;
+  Outcome outcome = run.render("-o frames --quiet");
+  INFO(outcome.output);
+  REQUIRE(outcome.status == 0);
+  CHECK(fs::exists(run.folder.path / "frames/maximum_pressure.png"));
+  CHECK_FALSE(fs::exists(run.folder.path / "frames/contact_force.png"));
+  CHECK_FALSE(fs::exists(run.folder.path / "frames/deflection.png")); // the plate is rigid
+  run.folder.write("run/histories.csv", "time[s],max_pressure_all[Pa],contact_force_x[N],max_deflection[m]\n"
+                                        "0,0,0,0\n1e-3,9e9,5e3,2e-3\n3e-3,1e6,0,1e-3\n");
+  outcome = run.render("-o steps --quiet");
+  REQUIRE(outcome.status == 0);
+  CHECK(outcome.output.empty());
+  CHECK(fs::exists(run.folder.path / "steps/contact_force.png"));
+  CHECK(fs::exists(run.folder.path / "steps/deflection.png"));
+  run.folder.write("run/histories.csv", "time[s],max_pressure_all[Pa]\n0,0\nno number,1\n1,2\n");
+  outcome = run.render("-o damaged --quiet");
+  CHECK(outcome.status == 0);
+  CHECK_THAT(outcome.output, Contains("histories.csv") && Contains("frames of the series instead"));
 }
 
 TEST_CASE("a film has every frame, its size, and nothing is left of one that fails", "[cases][render]")
@@ -167,8 +262,27 @@ TEST_CASE("a film has every frame, its size, and nothing is left of one that fai
   CHECK(probe("r_frame_rate") == "10/1\n");
   CHECK(run.render("--film f.mp4 --slow-down 500 --fps 20 --size 160x90").status == 0);
   CHECK(probe("nb_read_frames") == "30\n"); // 3 ms of impact, 1.5 s of film
-  for (const auto& file : fs::directory_iterator(run.folder.path))
-    CHECK(file.path().extension() != ".tmp");
+  CHECK(run.render("-o films --film f.mp4 --size 160x90").status == 0);
+  CHECK(fs::exists(run.folder.path / "films" / "f.mp4"));
+  const auto without_temporaries = [&] {
+    for (const auto& file : fs::directory_iterator(run.folder.path))
+      CHECK(file.path().extension() != ".tmp");
+  };
+  without_temporaries();
+
+  // Stopped half way: an ffmpeg that takes its time, and says when it has begun.
+  run.folder.write("fake/ffmpeg", "#!/bin/sh\necho begun > begun\nexec sleep 20\n");
+  for (const char* signal : {"HUP", "TERM"}) { // a shell has its jobs ignore SIGINT
+    outcome = scratch::shell(
+        run.folder.path, fmt::format("rm -f begun; (exec env PATH=$PWD/fake:$PATH '{}' render run --film "
+                                     "g.mp4) & film=$!; until [ -e begun ]; do sleep 0.05; done; "
+                                     "[ -e g.mp4.tmp ] && echo there; kill -{} $film; wait $film; echo $?",
+                                     BIRDSTRIKE_PROGRAM, signal));
+    INFO(signal << ": " << outcome.output);
+    CHECK_THAT(outcome.output, Contains("there"));
+    without_temporaries();
+    CHECK_FALSE(fs::exists(run.folder.path / "g.mp4"));
+  }
 }
 
 TEST_CASE("frames are those nearest to the times, or evenly spaced", "[cases][render]")

@@ -4,6 +4,9 @@
 #include "tests/vtkio/made_run.h"
 #include "tests/vtkio/pixels.h"
 #include "vtkio/display_unit.h"
+#include "vtkio/legend.h"
+#include "vtkio/montage.h"
+#include "vtkio/palette.h"
 #include "vtkio/particles_to_vtk.h"
 #include "vtkio/picture_check.h"
 #include "vtkio/robust_range.h"
@@ -17,6 +20,7 @@
 #include <catch2/catch.hpp>
 #include <vtkDoubleArray.h>
 #include <vtkImageData.h>
+#include <vtkLookupTable.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
@@ -241,6 +245,198 @@ TEST_CASE("a picture that is empty, black or cut off is found out", "[pictures]"
   Snapshot nothing(bare, bounds_of(frame));
   CHECK(fault_of(check_picture(*nothing.draw({0, nullptr, nullptr}), nothing.canvas(), white)) ==
         "it is empty");
+}
+
+TEST_CASE("axes, scale bar and legend do not fill an empty picture", "[pictures]")
+{
+  const Frame frame = made_frame(), none{0, nullptr, nullptr};
+  for (const bool legend : {true, false}) {
+    SnapshotOptions options = small();
+    options.legend = legend;
+    options.axes = options.scale_bar = true;
+    Snapshot snapshot(options, bounds_of(frame));
+    CHECK(fault_of(snapshot.check(*snapshot.draw(none), none)) == "it is empty");
+    CHECK(fault_of(snapshot.check(*snapshot.draw(frame), frame)).empty());
+    const std::vector<Frame> panels{frame, none};
+    MontageOptions montage;
+    montage.snapshot = options;
+    std::vector<PictureCheck> checks;
+    draw_montage(panels, bounds_of(frame), montage, &checks);
+    REQUIRE(checks.size() == 2);
+    CHECK(fault_of(checks[0]).empty());
+    CHECK(fault_of(checks[1]) == "it is empty");
+    checks.clear();
+    draw_montage({none, frame}, bounds_of(frame), montage, &checks); // the first panel has the axes
+    CHECK(fault_of(checks.at(0)) == "it is empty");
+  }
+}
+
+TEST_CASE("particles beyond the sides are told of, though few of them meet a side", "[pictures]")
+{
+  const Frame frame = made_frame();
+  Bounds bounds = bounds_of(frame);
+  bounds[4] = -0.06, bounds[5] = 0.05; // from the side: without the keel and the head's top
+  for (const std::size_t k : {0, 1})
+    bounds[k] *= 0.4;
+  const SnapshotOptions options = small();
+  Snapshot snapshot(options, bounds);
+  const PictureCheck check = snapshot.check(*snapshot.draw(frame), frame);
+  CHECK(check.outside > 0.05);
+  PictureCheck alone;
+  alone.drawn = 1;
+  alone.outside = 0.03;
+  CHECK_THAT(fault_of(alone), Contains("cut off: 3 % of the bird's particles"));
+  alone.outside = 0.01;
+  CHECK(fault_of(alone).empty());
+}
+
+TEST_CASE("a window holds what is seen, cut or not, and the picture holds the window", "[pictures]")
+{
+  const Frame frame = made_frame(0.5);
+  const Bounds everywhere{-9, 9, -9, 9, -9, 9};
+  for (const View view : {View::side, View::front, View::top, View::isometric, View::behind})
+    for (const bool cut : {false, true}) {
+      SnapshotOptions options = small(view);
+      options.cut = cut;
+      options.plane = {1, 0.02};
+      hold_bird(options.window, *frame.bird, options, everywhere);
+      hold_target(options.window, *frame.target, options);
+      Snapshot snapshot(options, bounds_of(frame));
+      const auto image = snapshot.draw(frame);
+      const PictureCheck check = snapshot.check(*image, frame);
+      CHECK(check.border == 0);
+      CHECK(check.outside == 0);
+      // And no more than that: it reaches two sides that face each other within the margin.
+      const auto canvas = snapshot.canvas();
+      const Pixels p(*image);
+      int left = p.width, right = 0, low = p.height, high = 0;
+      for (int y = 0; y < canvas[3]; ++y)
+        for (int x = 0; x < canvas[2]; ++x)
+          if (is_drawn(p.at(x, y)) && !(x < 80 && y < 60)) { // not the axes
+            left = std::min(left, x), right = std::max(right, x);
+            low = std::min(low, y), high = std::max(high, y);
+          }
+      CHECK(((right - left) > 0.92 * canvas[2] || (high - low) > 0.92 * canvas[3]));
+    }
+  SnapshotOptions options = small();
+  hold_bird(options.window, *frame.bird, options, {9, 10, 9, 10, 9, 10});
+  CHECK_FALSE(options.window); // nothing lies there
+}
+
+TEST_CASE("times on pictures have digits enough to be told apart", "[pictures]")
+{
+  CHECK(digits_of({0, 1e-3, 2e-3}) == 3);
+  CHECK(digits_of({}) == 3);
+  CHECK(digits_of({1e-3, 1e-3}) == 3);
+  CHECK(digits_of({0, 1e-6, 3e-6}) == 3);
+  CHECK(digits_of({3e-6, 0, 3.4e-6}) == 4);
+  CHECK(digits_of({0, 2e-9}) == 6);
+  CHECK(time_text(1.23456e-3, 3) == "1.235 ms");
+  CHECK(time_text(3.4e-6, 4) == "0.0034 ms");
+}
+
+namespace {
+
+//! Relative luminance, as the Web Content Accessibility Guidelines have it.
+double luminance(const std::array<double, 3>& colour)
+{
+  double sum = 0;
+  constexpr double share[] = {0.2126, 0.7152, 0.0722};
+  for (std::size_t k = 0; k < 3; ++k)
+    sum += share[k] * (colour[k] <= 0.04045 ? colour[k] / 12.92 : std::pow((colour[k] + 0.055) / 1.055, 2.4));
+  return sum;
+}
+
+double contrast(double a, double b) { return (std::max(a, b) + 0.05) / (std::min(a, b) + 0.05); }
+
+//! Mean of the pixels in the middle of the picture, half as wide and high.
+std::array<double, 3> middle_of(const Frame& frame, const SnapshotOptions& options, const Bounds& bounds)
+{
+  Snapshot snapshot(options, bounds);
+  const auto image = snapshot.draw(frame);
+  const Pixels p(*image);
+  std::array<double, 3> sum{};
+  double count = 0;
+  for (int y = p.height / 4; y < 3 * p.height / 4; ++y)
+    for (int x = 3 * p.width / 8; x < 5 * p.width / 8; ++x, ++count)
+      for (std::size_t k = 0; k < 3; ++k)
+        sum[k] += p.at(x, y)[k] / 255.0;
+  for (double& part : sum)
+    part /= count;
+  return sum;
+}
+
+} // namespace
+
+TEST_CASE("every part stands out from the plate by 2 : 1 in luminance", "[pictures][palette]")
+{
+  for (const char* name : {"head", "neck", "torso", "bones", "wings", "lungs", "legs", "beak"})
+    CHECK(contrast(luminance(part_colour(name, 0)), luminance(plain_target)) >= 2);
+  for (std::size_t k = 0; k < 6; ++k)
+    CHECK(contrast(luminance(part_colour("anything", k)), luminance(plain_target)) >= 2);
+
+  // As they are drawn: a plate without and with a great many lines; a wall of balls, lit.
+  for (const View view : {View::front, View::isometric, View::behind})
+    for (const Colour& background : {Colour{1, 1, 1}, Colour{0.09, 0.10, 0.13}})
+      for (const int elements : {1, 40, 300}) {
+        SnapshotOptions options = small(view);
+        options.legend = options.axes = options.time_stamp = false;
+        options.background = background;
+        const auto plate = plate_to_vtk(make_rigid_plate(2, 2, 0.01, elements, elements), 0);
+        const double ground =
+            luminance(middle_of({0, nullptr, plate}, options, {-0.4, 0.4, -0.4, 0.4, -0.4, 0.4}));
+        for (const char* name : {"head", "neck", "torso", "bones", "wings", "lungs"}) {
+          INFO(name << ", view " << static_cast<int>(view) << ", " << elements << " elements");
+          Particles ball;
+          ball.parts.push_back({name, Linear{1000, 2e9}, 0, 0});
+          ball.resize(1);
+          ball.x[0] = ball.y[0] = ball.z[0] = 0;
+          ball.vx[0] = ball.vy[0] = ball.vz[0] = ball.energy[0] = ball.pressure[0] = 0;
+          ball.sound_speed[0] = ball.smoothing_length[0] = 1;
+          ball.mass[0] = 64000, ball.density[0] = 1000;
+          ball.part[0] = 0, ball.id[0] = 0;
+          const Frame frame{0, particles_to_vtk(ball, 0), nullptr};
+          CHECK(contrast(luminance(middle_of(frame, options, {-2, 2, -2, 2, -2, 2})), ground) >= 2);
+        }
+      }
+}
+
+TEST_CASE("a bird and a target that both show a field have maps and titles of their own", "[pictures]")
+{
+  const Frame frame = made_frame();
+  SnapshotOptions options = small(View::isometric);
+  options.colour_by = "pressure";
+  options.range = {{1e9, 2e9}}; // the lowest colour everywhere, of both
+  CHECK(ranges_of({frame}, options).target_map == ColourMap::viridis);
+  options.target_field = "peak_contact_pressure";
+  options.target_range = {{1e12, 2e12}};
+  CHECK(ranges_of({frame}, options).target_map == ColourMap::heat);
+  CHECK(ranges_of({{0, nullptr, frame.target}}, options).target_map == ColourMap::viridis);
+  Snapshot snapshot(options, bounds_of(frame));
+  const auto image = snapshot.draw(frame);
+  const Pixels p(*image);
+  const auto violet = [](const unsigned char* c) { return c[2] > c[1] + 10 && c[0] > c[1] && c[1] < 60; };
+  const auto pale = [](const unsigned char* c) {
+    return c[0] > 180 && c[1] > 170 && c[2] > 150 && c[0] > c[2] + 4;
+  };
+  CHECK(count(p, 0.1, 0.7, 0.1, 0.9, violet) > 2000); // the bird
+  CHECK(count(p, 0.1, 0.7, 0.1, 0.9, pale) > 3000);   // the plate
+  // Darker the higher the value: lightness falls all the way.
+  const auto map = make_colour_map(0, 1, ColourMap::heat);
+  double before = 1;
+  for (double value = 0; value <= 1; value += 0.125) {
+    std::array<double, 3> colour{};
+    map->GetColor(value, colour.data());
+    CHECK(luminance(colour) < before);
+    before = luminance(colour);
+  }
+
+  const Rectangle upright{0, 0, 77, 200}, lying{0, 0, 400, 50};
+  for (const Rectangle& place : {upright, lying}) {
+    CHECK(bar_title_font(place, "pressure", 10) == 10);
+    CHECK(bar_title_font(place, "peak_contact_pressure", 10) == 10); // on several lines
+    CHECK(bar_title_font(place, "a_word_that_is_far_tooooooooooooooooooooooooo_long", 10) < 10);
+  }
 }
 
 TEST_CASE("a picture for print says how large it is", "[pictures]")

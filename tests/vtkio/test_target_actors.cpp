@@ -80,7 +80,7 @@ SnapshotOptions small(View view)
 
 bool is_yellow(const unsigned char* c) { return c[0] > 120 && c[1] > 0.8 * c[0] && c[2] < 90; }
 bool is_violet(const unsigned char* c) { return c[2] > c[1] + 10 && c[0] > c[1] && c[0] < 120; }
-bool is_light_grey(const unsigned char* c) { return c[0] > 140 && c[0] < 215 && std::abs(c[2] - c[0]) < 25; }
+bool is_light_grey(const unsigned char* c) { return c[0] > 140 && c[0] < 245 && std::abs(c[2] - c[0]) < 25; }
 
 double area(vtkUnstructuredGrid& shell)
 {
