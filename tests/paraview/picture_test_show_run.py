@@ -32,13 +32,18 @@ end = '[run]\nend = "0.6 ms"\nframes = 5\n'
 @contextlib.contextmanager
 def screen():
     """A screen of our own, which nobody else has; its number."""
-    read_end, write_end = os.pipe()
-    server = subprocess.Popen(["Xvfb", "-displayfd", str(write_end), "-screen", "0", "1280x1024x24", "-nolisten", "tcp"],
-                              pass_fds=[write_end], stderr=subprocess.DEVNULL)
-    os.close(write_end)
-    try:
+    number = ""
+    while not number:  # another that starts in the same moment may take it away
+        read_end, write_end = os.pipe()
+        server = subprocess.Popen(["Xvfb", "-displayfd", str(write_end), "-screen", "0", "1280x1024x24",
+                                   "-nolisten", "tcp"], pass_fds=[write_end], stderr=subprocess.DEVNULL)
+        os.close(write_end)
         with os.fdopen(read_end) as answer:
-            yield ":" + answer.readline().strip()
+            number = answer.readline().strip()
+        if not number:
+            server.wait()
+    try:
+        yield ":" + number
     finally:
         server.terminate()
         server.wait()
