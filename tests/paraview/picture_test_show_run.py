@@ -36,7 +36,7 @@ def screen():
     while not number:  # another that starts in the same moment may take it away
         read_end, write_end = os.pipe()
         server = subprocess.Popen(["Xvfb", "-displayfd", str(write_end), "-screen", "0", "1280x1024x24",
-                                   "-nolisten", "tcp"], pass_fds=[write_end], stderr=subprocess.DEVNULL)
+                                   "-nolisten", "tcp", "-noreset"], pass_fds=[write_end], stderr=subprocess.DEVNULL)
         os.close(write_end)
         with os.fdopen(read_end) as answer:
             number = answer.readline().strip()
