@@ -225,8 +225,8 @@ void add_scene_options(CLI::App& command, RenderTexts& texts)
   command
       .add_option(
           "--fit", texts.fit,
-          "What the camera holds: all (target, and bird in all pictures, but debris further than 30 % of "
-          "their size away), start (target, and bird at the start), bird (in all pictures), target")
+          "What the camera holds: all (target, and bird in all pictures, but debris with a gap of 30 % of "
+          "their size to the rest), start (target, and bird at the start), bird (in all pictures), target")
       ->default_str("all")
       ->group(scenes);
   CLI::Option* times =

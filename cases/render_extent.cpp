@@ -9,8 +9,42 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <array>
 
 namespace birdstrike {
+namespace {
+
+//! Takes in what lies around the box, along each axis outwards for as long as no gap is wider than debris_reach.
+void hold_debris(Bounds& box, SeriesFrames& frames, const std::vector<std::size_t>& steps)
+{
+  const double size = std::max({box[1] - box[0], box[3] - box[2], box[5] - box[4]});
+  std::array<std::vector<double>, 6> beyond; // distances from the box, of its six sides
+  for (const std::size_t step : steps) {
+    const Frame frame = frames.get(step);
+    for (vtkIdType i = 0; frame.bird && i < frame.bird->GetNumberOfPoints(); ++i) {
+      std::array<double, 3> p{};
+      frame.bird->GetPoint(i, p.data());
+      for (std::size_t side = 0; side < 6; ++side) {
+        const double away = (p[side / 2] - box[side]) * (side % 2 == 0 ? -1 : 1);
+        if (away > 0 && away <= debris_furthest * size)
+          beyond[side].push_back(away);
+      }
+    }
+  }
+  for (std::size_t side = 0; side < 6; ++side) {
+    std::sort(beyond[side].begin(), beyond[side].end());
+    double held = 0;
+    for (const double away : beyond[side]) {
+      if (away - held > debris_reach * size)
+        break;
+      held = away;
+    }
+    // A hair more: what lies on the side is in.
+    box[side] += (side % 2 == 0 ? -1 : 1) * (held + 1e-9 * size);
+  }
+}
+
+} // namespace
 
 SeriesExtent picture_extent(SeriesFrames& frames, const std::vector<std::size_t>& steps,
                             const SnapshotOptions& look, Fit fit)
@@ -22,12 +56,8 @@ SeriesExtent picture_extent(SeriesFrames& frames, const std::vector<std::size_t>
   for (const std::size_t step : steps)
     times.push_back(frames.index().steps[step].time);
   extent.look.time_digits = digits_of(times);
-  Bounds& b = extent.bounds;
-  const double reach = debris_reach * std::max({b[1] - b[0], b[3] - b[2], b[5] - b[4]});
-  for (std::size_t k = 0; k < 6; k += 2) {
-    b[k] -= reach;
-    b[k + 1] += reach;
-  }
+  if (fit == Fit::all || fit == Fit::bird)
+    hold_debris(extent.bounds, frames, steps);
   return extent;
 }
 

@@ -11,11 +11,11 @@
 
 namespace birdstrike {
 
-//! Debris further than this from the box of extent_of, in that box's longest side, is not followed: everything else
-//! would become small.
-constexpr double debris_reach = 0.3;
+//! Debris with a gap wider than debris_reach between it and the rest is not followed, nor what lies beyond
+//! debris_furthest, in the longest side of the box of extent_of: everything else would become small.
+constexpr double debris_reach = 0.3, debris_furthest = 1;
 
-//! extent_of with a box widened by debris_reach, and digits enough that the times of these steps can be told apart.
+//! extent_of with a box that has the debris around it, and digits enough that the times of these steps can be told apart.
 //! \throw InputError as extent_of, or if there is neither bird nor target
 SeriesExtent picture_extent(SeriesFrames& frames, const std::vector<std::size_t>& steps,
                             const SnapshotOptions& look, Fit fit);

@@ -110,7 +110,6 @@ TargetActors::TargetActors(const SnapshotOptions& options, vtkRenderer& renderer
     paint(*rim_.actor->GetProperty(), rim_colour);
     rim_.actor->GetProperty()->SetAmbient(0.35);
     rim_.actor->GetProperty()->SetDiffuse(0.65);
-    return;
   }
   outline_.mapper->ScalarVisibilityOff();
   outline_.actor->SetMapper(outline_.mapper);
@@ -150,6 +149,9 @@ void TargetActors::show(vtkUnstructuredGrid* target, const Ranges& ranges)
   const auto rim_faces = faces_of(*slab, [&](vtkIdType face, vtkIdList&) { return is_rim(face); });
   rim_.mapper->SetInputData(rim_faces);
   outline_.mapper->SetInputData(rim_faces);
+  // Where the rim itself is seen it needs no lines, but a thin sheet would vanish between two rows of pixels.
+  constexpr double thin = 1.5;
+  outline_.actor->SetVisibility(!along_axis_ || thickness_of(*target) < thin * metres_per_pixel_);
   const double ahead =
       -2 * metres_per_pixel_; // of the faces that it bounds; that moves nothing in the picture
   outline_.actor->SetPosition(ahead * direction_[0], ahead * direction_[1], ahead * direction_[2]);

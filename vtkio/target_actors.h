@@ -45,7 +45,7 @@ private:
   double metres_per_pixel_ = 0;
   std::optional<HalfSpace> keep_;
   Surface with_edges_, edge_on_, rim_;
-  Surface outline_; //!< the rim's lines: a pale plate on a light page
+  Surface outline_; //!< the rim's lines: a pale plate on a light page, a sheet thinner than a pixel
 };
 
 //! Lowest and highest finite value (length, for vectors) of a point or cell array on the

@@ -173,6 +173,27 @@ TEST_CASE("a picture that is empty or cut off is warned of, debris is held", "[c
   CHECK_THAT(empty.output, Contains("cut_by_part_0.png: it is empty"));
   CHECK(run.render("-o b --scene front --scene isometric --quiet").output.empty());
 
+  // A bird that slides along its target, further than its own length: no part of it is left out, whatever is fitted.
+  {
+    SeriesWriter series(run.folder.path / "slide");
+    for (int k = 0; k < 4; ++k) {
+      Particles bird = made_bird(0.016);
+      for (std::size_t i = 0; i < bird.z.size(); ++i)
+        bird.z[i] -= k * (0.2 + 0.8 * static_cast<double>(i) / static_cast<double>(bird.z.size()));
+      series.write_frame(1e-3 * k, *particles_to_vtk(bird, 1e-3 * k), plate_to_vtk(made_plate(), 1e-3 * k));
+    }
+    SeriesFrames frames(run.folder.path / "slide" / "run.pvd", true, true);
+    for (const Fit fit : {Fit::all, Fit::bird}) {
+      const SeriesExtent extent = picture_extent(frames, {0, 1, 2}, {}, fit);
+      const SnapshotOptions side =
+          with_window(frames, {0, 1, 2}, extent, scene_options("side", extent.look), fit);
+      double bounds[6];
+      frames.get(2).bird->GetBounds(bounds);
+      REQUIRE(side.window);
+      CHECK((*side.window)[2] <= bounds[4] + 1e-6);
+    }
+  }
+
   // The same bird; a jet of 1 % of it ahead of the rest, and a tenth of it that flies off.
   for (const auto& [name, share, away] : {std::tuple("jet", 100, 0.25), std::tuple("burst", 10, 9.0)}) {
     SeriesWriter series(run.folder.path / name);

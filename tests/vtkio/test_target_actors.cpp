@@ -246,6 +246,21 @@ TEST_CASE("the target is drawn in the colours of a point or a cell array, with i
   }
 }
 
+TEST_CASE("a sheet thinner than a pixel is seen from the side wherever it lies", "[target][snapshot]")
+{
+  const Frame frame{0, nullptr, plate_to_vtk(make_rigid_plate(0.6, 0.5, 2e-4, 24, 20), 0)};
+  for (const bool cut : {false, true})
+    for (const char* field : {"", "contact_pressure"})
+      for (double moved = 0; moved < 1.4e-3; moved += 3e-4) { // a pixel is some 1.5 mm wide
+        SnapshotOptions options = small(View::side);
+        options.axes = false;
+        options.cut = cut;
+        options.target_field = field;
+        Snapshot snapshot(options, {-0.3 + moved, 0.3 + moved, -0.3, 0.3, -0.25, 0.25});
+        CHECK(count(Pixels(*snapshot.draw(frame)), 0.4, 0.6, 0, 0.9, is_drawn) > 300);
+      }
+}
+
 TEST_CASE("eroded elements have no say in the range", "[target]")
 {
   const auto grid = made_dent(true);
