@@ -82,9 +82,10 @@ public:
     check_balance(run);
   }
 
+  void end_progress() { progress_.finish(); }
   void finish()
   {
-    progress_.finish();
+    end_progress();
     series_.finish();
   }
   const SeriesWriter& series() const { return series_; }
@@ -179,7 +180,7 @@ void run_and_record(const Case& parsed, const RunOptions& options, Simulation& r
   try {
     run.run(recorder);
   } catch (...) {
-    recorder.finish(); // the message goes below the bar, not into it
+    recorder.end_progress(); // the message goes below the bar, not into it
     throw;
   }
   recorder.finish();
@@ -196,7 +197,8 @@ void run_and_record(const Case& parsed, const RunOptions& options, Simulation& r
     log.info("drawing figures");
     const auto figures_start = Clock::now();
     const fs::path folder = options.output / "figures";
-    write_pictures(recorder.series().path(), folder, parsed.title);
+    write_pictures(recorder.series().path(), folder, parsed.title, View::side,
+                   [&log](const std::string& warning) { log.warn(warning); });
     write_plots(run.history(), frames, folder, parsed.title);
     if (!parsed.transducers.empty()) {
       const EquationOfState& law = hardest_law(run.particles().parts, flight.normal_speed());

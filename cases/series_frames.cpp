@@ -191,13 +191,4 @@ SeriesExtent extent_of(SeriesFrames& frames, const std::vector<std::size_t>& ste
   return {look, base};
 }
 
-int panel_width(const SeriesExtent& extent, const std::vector<std::string>& scenes, int height)
-{
-  constexpr double narrowest = 0.95, widest = 1.8, caption = 0.87; // of a panel's height that its scene has
-  double aspect = 0;
-  for (const std::string& scene : scenes)
-    aspect = std::max(aspect, width_over_height(extent.bounds, scene_options(scene, extent.look).view));
-  return static_cast<int>(height * std::clamp(caption * aspect, narrowest, widest));
-}
-
 } // namespace birdstrike

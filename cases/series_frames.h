@@ -42,7 +42,4 @@ struct SeriesExtent
 SeriesExtent extent_of(SeriesFrames& frames, const std::vector<std::size_t>& steps, SnapshotOptions look,
                        Fit fit);
 
-//! Of a montage's panel in which these scenes fit without much margin [pixel].
-int panel_width(const SeriesExtent& extent, const std::vector<std::string>& scenes, int height);
-
 } // namespace birdstrike

@@ -151,8 +151,8 @@ TEST_CASE("a packed frame is as near as it was asked to be, over many frames and
           REQUIRE(found.at(exact) == expected.at(exact));
     }
   }
-  auto* names = vtkStringArray::SafeDownCast(
-      file.Read(frames - 1)[0].second->GetFieldData()->GetAbstractArray("part_names"));
+  const auto last = file.Read(frames - 1);
+  auto* names = vtkStringArray::SafeDownCast(last[0].second->GetFieldData()->GetAbstractArray("part_names"));
   REQUIRE(names);
   CHECK(names->GetValue(4) == "torso");
 }
