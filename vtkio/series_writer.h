@@ -58,7 +58,7 @@ private:
   vtkSmartPointer<vtkUnstructuredGrid> target_; //!< as it was written last,
   std::string target_piece_;                    //!< and where
   std::string entries_;                         //!< the DataSet elements of run.pvd so far
-  std::size_t frames_ = 0, listed_ = 0; //!< the second in run.pvd
+  std::size_t frames_ = 0, listed_ = 0;         //!< the second in run.pvd
   std::uintmax_t bytes_ = 0;
 };
 
