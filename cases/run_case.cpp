@@ -176,7 +176,9 @@ void run_and_record(const Case& parsed, const RunOptions& options, Simulation& r
                     double density_factor, const std::string& bird, Clock::time_point start, Log& log)
 {
   write_text_atomically(options.output / "case.toml", to_toml(parsed));
-  Recorder recorder(options.output, series_options(parsed.series), !parsed.transducers.empty(), log);
+  SeriesOptions series = series_options(parsed.series);
+  series.background = true;
+  Recorder recorder(options.output, series, !parsed.transducers.empty(), log);
   try {
     run.run(recorder);
   } catch (...) {

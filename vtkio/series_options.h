@@ -23,7 +23,8 @@ struct SeriesOptions
   bool packed = false; //!< run.bss, one file for the whole run, a tenth of the size: see filters/series
   bool single_precision = false;               //!< places and fields as 32-bit numbers
   Compression compression = Compression::zlib; //!< of .vtu files
-  double accuracy = 1e-4; //!< of packed frames, as WriteFrame in filters/series/PackedFrame.h has it [-]
+  double accuracy = 1e-4;  //!< of packed frames, as WriteFrame in filters/series/PackedFrame.h has it [-]
+  bool background = false; //!< frames are written by a thread of their own while the caller goes on
   std::vector<std::string>
       fields; //!< names of core/fields.h that are wanted, besides those of thin_grid.h; empty: all
 };

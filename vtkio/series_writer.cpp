@@ -90,7 +90,39 @@ SeriesWriter::~SeriesWriter()
   }
 }
 
+//! Waits for the frame in the background.
+void SeriesWriter::settle() const
+{
+  if (pending_.valid())
+    pending_.wait();
+}
+
+//! What went wrong in the background, once.
+void SeriesWriter::rethrow()
+{
+  if (pending_.valid())
+    pending_.get();
+}
+
+std::size_t SeriesWriter::frames() const
+{
+  settle();
+  return frames_;
+}
+
+std::uintmax_t SeriesWriter::bytes() const
+{
+  settle();
+  return bytes_;
+}
+
 void SeriesWriter::finish()
+{
+  rethrow();
+  list_frames();
+}
+
+void SeriesWriter::list_frames()
 {
   if (!options_.vtu || listed_ == frames_)
     return;
@@ -103,6 +135,8 @@ void SeriesWriter::finish()
 
 void SeriesWriter::discard()
 {
+  settle();
+  pending_ = {};
   packed_.reset();
   remove_old_series(folder_);
   listed_ = frames_;
@@ -112,17 +146,27 @@ void SeriesWriter::write_frame(double time, vtkUnstructuredGrid& bird, vtkUnstru
 {
   if (!std::isfinite(time))
     throw OutputError(fmt::format("cannot write a frame at time {}: it is not finite", time));
+  rethrow();
   const auto thin_bird = thin_grid(bird, options_);
   const auto thin_target = target ? thin_grid(*target, options_) : nullptr;
+  if (options_.background)
+    pending_ = std::async(std::launch::async,
+                          [this, time, thin_bird, thin_target] { write(time, *thin_bird, thin_target); });
+  else
+    write(time, *thin_bird, thin_target);
+}
+
+void SeriesWriter::write(double time, vtkUnstructuredGrid& bird, vtkUnstructuredGrid* target)
+{
   if (options_.vtu)
-    write_vtu_frame(time, *thin_bird, thin_target);
+    write_vtu_frame(time, bird, target);
   if (packed_)
-    write_packed_frame(time, *thin_bird, thin_target);
+    write_packed_frame(time, bird, target);
   ++frames_;
   // Only now, with all its files whole, does the frame count. Of very many, some are listed together: the whole index is
   // written each time.
   if (frames_ - listed_ > frames_ / (always_listed + 1))
-    finish();
+    list_frames();
 }
 
 void SeriesWriter::write_vtu_frame(double time, vtkUnstructuredGrid& bird, vtkUnstructuredGrid* target)

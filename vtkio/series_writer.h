@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <future>
 #include <memory>
 #include <string>
 
@@ -28,7 +29,9 @@ public:
   explicit SeriesWriter(std::filesystem::path folder, SeriesOptions options = {});
   ~SeriesWriter();
 
-  //! Add a state to the series.
+  //! Add a state to the series. In the background, it is written when the next call returns that waits: write_frame,
+  //! finish, discard, frames or bytes; the grids must be left as they are until then, and an error comes with the next
+  //! write_frame or finish.
   //! \param time    physical time [s]; later than the one before
   //! \param bird    from particles_to_vtk
   //! \param target  from plate_to_vtk; null without a target
@@ -43,12 +46,16 @@ public:
   //! \throw OutputError naming the file and the reason
   void discard();
 
-  std::size_t frames() const { return frames_; }  //!< written so far
-  std::uintmax_t bytes() const { return bytes_; } //!< size of all frames written so far
+  std::size_t frames() const;   //!< written so far
+  std::uintmax_t bytes() const; //!< size of all frames written so far
   //! What opens the series: run.pvd, or run.bss where there is no other.
   std::filesystem::path path() const { return folder_ / (options_.vtu ? "run.pvd" : "run.bss"); }
 
 private:
+  void write(double time, vtkUnstructuredGrid& bird, vtkUnstructuredGrid* target);
+  void list_frames();
+  void settle() const;
+  void rethrow();
   void write_vtu_frame(double time, vtkUnstructuredGrid& bird, vtkUnstructuredGrid* target);
   void write_packed_frame(double time, vtkUnstructuredGrid& bird, vtkUnstructuredGrid* target);
 
@@ -60,6 +67,7 @@ private:
   std::string entries_;                         //!< the DataSet elements of run.pvd so far
   std::size_t frames_ = 0, listed_ = 0;         //!< the second in run.pvd
   std::uintmax_t bytes_ = 0;
+  std::future<void> pending_; //!< the frame that is written in the background; last, so that it ends first
 };
 
 } // namespace birdstrike

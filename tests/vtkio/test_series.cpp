@@ -207,6 +207,41 @@ TEST_CASE("a run killed while it writes leaves a series that opens", "[series]")
   }
 }
 
+TEST_CASE("frames written in the background are the same files, and their errors are not lost", "[series]")
+{
+  TemporaryFolder folder;
+  SeriesOptions behind;
+  behind.background = behind.packed = true;
+  SeriesOptions at_once = behind;
+  at_once.background = false;
+  const auto write = [&](const fs::path& place, const SeriesOptions& options) {
+    SeriesWriter writer(place, options);
+    for (int k = 0; k < 5; ++k) {
+      auto bird = made_bird(0.03);
+      bird.pressure[0] = 1e6 * k;
+      writer.write_frame(1e-3 * k, *particles_to_vtk(bird, 1e-3 * k), plate_to_vtk(made_plate(), 1e-3 * k));
+    }
+    writer.finish();
+    CHECK(writer.frames() == 5);
+    return writer.bytes();
+  };
+  CHECK(write(folder.path / "a", behind) == write(folder.path / "b", at_once));
+  for (const char* file : {"run.pvd", "run.bss", "frames/bird_0004.vtu", "frames/target_0000.vtu"})
+    CHECK(text_of(folder.path / "a" / file) == text_of(folder.path / "b" / file));
+
+  const auto bird = particles_to_vtk(made_bird(0.04), 0);
+  for (const bool at_end : {false, true}) {
+    SeriesWriter writer(folder.path / "run", behind);
+    fs::remove_all(folder.path / "run");
+    writer.write_frame(0, *bird);
+    if (at_end)
+      CHECK_THROWS_WITH(writer.finish(), Contains("bird_0000.vtu"));
+    else
+      CHECK_THROWS_WITH(writer.write_frame(1e-3, *bird), Contains("bird_0000.vtu"));
+    CHECK(writer.frames() == 0);
+  }
+}
+
 TEST_CASE("a folder that cannot be made or written is named", "[series]")
 {
   TemporaryFolder folder;
