@@ -11,18 +11,15 @@ std::vector<double> LowPass(const std::vector<double>& times, const std::vector<
   if (!(riseTime > 0))
     return values;
   const double tau = riseTime / std::log(9.0);
-  const auto known =
-      std::find_if(values.begin(), values.end(), [](double value) { return !std::isnan(value); });
-  const double first = known == values.end() ? 0 : *known;
-  const auto at = [&](std::size_t k) {
-    return !std::isnan(values[k])                                    ? values[k]
-           : static_cast<std::ptrdiff_t>(k) < known - values.begin() ? first
-                                                                     : 0.0;
-  };
+  const auto is_none = [](double value) { return std::isnan(value); };
+  std::vector<double> signal = values;
+  const auto known = std::find_if_not(signal.begin(), signal.end(), is_none);
+  std::fill(signal.begin(), known, known == signal.end() ? 0.0 : *known);
+  std::replace_if(signal.begin(), signal.end(), is_none, 0.0);
   std::vector<double> filtered;
   for (std::size_t k = 0; k < values.size(); ++k) {
     if (k == 0) {
-      filtered.push_back(at(0));
+      filtered.push_back(signal[0]);
       continue;
     }
     const double duration = times[k] - times[k - 1];
@@ -32,8 +29,8 @@ std::vector<double> LowPass(const std::vector<double>& times, const std::vector<
     }
     // For x = a + b t the state decays towards the line that trails x by tau.
     const double gone = -std::expm1(-duration / tau);
-    const double slope = (at(k) - at(k - 1)) / duration;
-    filtered.push_back(filtered.back() + (at(k - 1) - filtered.back()) * gone +
+    const double slope = (signal[k] - signal[k - 1]) / duration;
+    filtered.push_back(filtered.back() + (signal[k - 1] - filtered.back()) * gone +
                        slope * (duration - tau * gone));
   }
   return filtered;
