@@ -74,7 +74,10 @@ void convert(const Options& options)
     }
     writer.finish();
   } catch (...) { // half a series would look like a whole one
-    writer.discard();
+    try {
+      writer.discard();
+    } catch (const OutputError&) { // the first error is the one to tell
+    }
     throw;
   }
   log.info(fmt::format("{}: {} frames, {:.1f} MB", writer.path().string(), writer.frames(),

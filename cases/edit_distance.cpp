@@ -25,7 +25,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b)
 std::string nearest_name(std::string_view given, const std::vector<std::string>& names)
 {
   std::string best;
-  std::size_t smallest = std::max<std::size_t>(3, given.size() / 4) + 1;
+  // Of a short word half the letters must be right: else everything is near it.
+  std::size_t smallest = std::min(std::max<std::size_t>(3, given.size() / 4), (given.size() + 1) / 2) + 1;
   for (const std::string& name : names)
     if (const std::size_t distance = edit_distance(given, name); distance < smallest) {
       smallest = distance;

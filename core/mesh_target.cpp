@@ -58,16 +58,26 @@ Vector3 MeshTarget::position(std::size_t node) const
   return shells_ ? shells_->position[node] : rigid_.points[node];
 }
 
-Vector3 MeshTarget::displacement(std::size_t node, double time) const
+MeshTarget::TurnBack MeshTarget::turn_back(double time) const
+{
+  TurnBack back;
+  const SteadySpin* spin = shells_ && shells_->settings().spin ? &*shells_->settings().spin : nullptr;
+  const double rate = spin ? spin->velocity.norm() : 0;
+  if (rate == 0)
+    return back;
+  back.turn = Eigen::AngleAxisd(-rate * time, spin->velocity / rate).toRotationMatrix();
+  back.centre = spin->centre;
+  back.turns = true;
+  return back;
+}
+
+Vector3 MeshTarget::displacement(std::size_t node, const TurnBack& back) const
 {
   if (!shells_)
     return Vector3::Zero();
-  const std::optional<SteadySpin>& spin = shells_->settings().spin;
-  const double rate = spin ? spin->velocity.norm() : 0;
-  if (rate == 0)
+  if (!back.turns)
     return shells_->position[node] - start_[node];
-  const Eigen::AngleAxisd back(-rate * time, spin->velocity / rate);
-  return back * (shells_->position[node] - spin->centre) + spin->centre - start_[node];
+  return back.turn * (shells_->position[node] - back.centre) + back.centre - start_[node];
 }
 
 double MeshTarget::area(std::size_t element) const

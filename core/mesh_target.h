@@ -32,9 +32,20 @@ public:
 
   Vector3 position(std::size_t node) const; //!< now [m]
 
-  //! Displacement of a node since the start, seen by one who turns along with a steady spin [m].
+  //! Takes a place back to where it would be without a steady spin.
+  struct TurnBack
+  {
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+    Vector3 centre = Vector3::Zero(); //!< [m]
+    bool turns = false;
+  };
   //! \param time  since the start [s]
-  Vector3 displacement(std::size_t node, double time) const;
+  TurnBack turn_back(double time) const;
+
+  //! Displacement of a node since the start, seen by one who turns along with a steady spin [m].
+  //! \param back  turn_back of the time since the start: found once for all nodes
+  Vector3 displacement(std::size_t node, const TurnBack& back) const;
+  Vector3 displacement(std::size_t node, double time) const { return displacement(node, turn_back(time)); }
   double area(std::size_t element) const; //!< now [m2]
   bool is_gone(std::size_t element) const { return shells_ && shells_->gone[element]; }
 

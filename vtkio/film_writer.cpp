@@ -136,6 +136,9 @@ struct FilmWriter::State
   State() = default;
   ~State()
   {
+    std::error_code ignored;
+    if (!unfinished.empty()) // not there any more where the film has been made
+      fs::remove(unfinished, ignored);
     if (messages >= 0)
       close(messages);
   }
@@ -190,7 +193,7 @@ bool FilmWriter::State::end()
   while (waitpid(process, &status, 0) < 0 && errno == EINTR)
     ;
   process = -1;
-  tidy.reset();
+  tidy->watch(-1);
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
@@ -251,8 +254,6 @@ FilmWriter::~FilmWriter()
     return;
   kill(state_->process, SIGTERM); // our own child, that waits for pictures which will not come
   state_->end();
-  std::error_code ignored;
-  fs::remove(state_->unfinished, ignored);
 }
 
 void FilmWriter::add(vtkImageData& image)

@@ -16,6 +16,7 @@
 
 #include <cmath>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace birdstrike {
@@ -150,10 +151,13 @@ void SeriesWriter::write_frame(double time, vtkUnstructuredGrid& bird, vtkUnstru
   const auto thin_bird = thin_grid(bird, options_);
   const auto thin_target = target ? thin_grid(*target, options_) : nullptr;
   if (options_.background)
-    pending_ = std::async(std::launch::async,
-                          [this, time, thin_bird, thin_target] { write(time, *thin_bird, thin_target); });
-  else
-    write(time, *thin_bird, thin_target);
+    try {
+      pending_ = std::async(std::launch::async,
+                            [this, time, thin_bird, thin_target] { write(time, *thin_bird, thin_target); });
+      return;
+    } catch (const std::system_error&) { // no thread to be had: at once, then
+    }
+  write(time, *thin_bird, thin_target);
 }
 
 void SeriesWriter::write(double time, vtkUnstructuredGrid& bird, vtkUnstructuredGrid* target)
@@ -178,7 +182,9 @@ void SeriesWriter::write_vtu_frame(double time, vtkUnstructuredGrid& bird, vtkUn
       return write_vtk_xml(*vtkSmartPointer<vtkXMLUnstructuredGridWriter>::New(), grid, file,
                            options_.compression);
     });
-    bytes += fs::file_size(folder_ / piece);
+    std::error_code unknown;
+    if (const std::uintmax_t size = fs::file_size(folder_ / piece, unknown); !unknown)
+      bytes += size;
     return piece;
   };
   const auto entry = [&](const char* name, int part, const std::string& piece) {

@@ -68,10 +68,11 @@ vtkSmartPointer<vtkUnstructuredGrid> mesh_target_to_vtk(const MeshTarget& target
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataTypeToDouble();
   auto displacement = vectors("displacement", nodes);
+  const MeshTarget::TurnBack back = target.turn_back(time);
   for (vtkIdType n = 0; n < nodes; ++n) {
     const auto node = static_cast<std::size_t>(n);
     points->InsertNextPoint(target.position(node).data());
-    displacement->SetTypedTuple(n, target.displacement(node, time).data());
+    displacement->SetTypedTuple(n, target.displacement(node, back).data());
   }
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   grid->SetPoints(points);

@@ -15,9 +15,10 @@ void PermanentSet::record(const MeshTarget& target, double time)
   }
   const double half = first ? 0 : (time - last_) / 2; // trapezoidal rule
   last_ = time;
+  const MeshTarget::TurnBack back = target.turn_back(time);
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
     Node& node = nodes_[n];
-    const Vector3 u = target.displacement(n, time);
+    const Vector3 u = target.displacement(n, back);
     node.sum += half * (node.now + u);
     node.low = first ? u : Vector3(node.low.cwiseMin(u));
     node.high = first ? u : Vector3(node.high.cwiseMax(u));

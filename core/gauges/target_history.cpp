@@ -12,7 +12,7 @@ struct Largest
 };
 
 //! Largest displacement; fragments that no element holds any more do not count.
-Largest largest_displacement(const MeshTarget& target, double time)
+Largest largest_displacement(const MeshTarget& target, const MeshTarget::TurnBack& back)
 {
   Largest largest;
   if (!target.shells())
@@ -23,7 +23,7 @@ Largest largest_displacement(const MeshTarget& target, double time)
       continue;
     for (const std::int32_t corner : mesh.elements[e]) {
       const auto node = static_cast<std::size_t>(corner);
-      const double deflection = target.displacement(node, time).norm();
+      const double deflection = target.displacement(node, back).norm();
       if (deflection > largest.deflection)
         largest = {node, deflection};
     }
@@ -60,11 +60,12 @@ void record_target(History& history, const MeshTarget& target, const std::vector
                    const Ledger& ledger, long leaked, double time)
 {
   std::vector<double>& v = history.values;
-  const Largest largest = largest_displacement(target, time);
+  const MeshTarget::TurnBack back = target.turn_back(time);
+  const Largest largest = largest_displacement(target, back);
   const Vector3& place = target.mesh().points[largest.node];
   v.insert(v.end(), {largest.deflection, place[0], place[1], place[2]});
   for (const DeflectionGauge& point : points)
-    v.push_back(target.displacement(point.node, time)[0]);
+    v.push_back(target.displacement(point.node, back)[0]);
   const ShellEnergy& e = ledger.target;
   v.insert(v.end(), {e.kinetic, e.internal, e.plastic, e.hourglass, ledger.contact, ledger.friction, e.eroded,
                      e.external});

@@ -11,6 +11,7 @@
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
+#include "vtkPartitionedDataSet.h"
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 
@@ -18,32 +19,36 @@
 
 namespace {
 
-// Of the leaf, or of the block around it: partitioned datasets name their collections' blocks.
-std::string NameOf(vtkCompositeDataSet& composite, vtkCompositeDataIterator& at)
+// A partitioned dataset in a tree: its pieces have the flat indices that follow its own.
+struct Whole
 {
-  if (at.HasCurrentMetaData()) {
-    const char* name = at.GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME());
-    if (name && *name)
-      return name;
-  }
-  auto* tree = vtkDataObjectTree::SafeDownCast(&composite);
+  unsigned int Index, Pieces;
+  std::string Name;
+
+  bool Has(unsigned int leaf) const { return leaf > this->Index && leaf <= this->Index + this->Pieces; }
+};
+
+std::string NameAt(vtkCompositeDataIterator& at)
+{
+  const char* name =
+      at.HasCurrentMetaData() ? at.GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME()) : nullptr;
+  return name ? name : "";
+}
+
+std::vector<Whole> WholesOf(vtkCompositeDataSet* data)
+{
+  std::vector<Whole> wholes;
+  if (auto* root = vtkPartitionedDataSet::SafeDownCast(data))
+    wholes.push_back({0, root->GetNumberOfPartitions(), {}});
+  auto* tree = vtkDataObjectTree::SafeDownCast(data);
   if (!tree)
-    return {};
-  auto blocks = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
-  blocks->VisitOnlyLeavesOff();
-  std::string last;
-  for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem()) {
-    if (blocks->GetCurrentFlatIndex() > at.GetCurrentFlatIndex())
-      break;
-    const char* name = blocks->HasCurrentMetaData()
-                           ? blocks->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME())
-                           : nullptr;
-    if (name && *name)
-      last = name;
-    else if (vtkCompositeDataSet::SafeDownCast(blocks->GetCurrentDataObject()))
-      last.clear();
-  }
-  return last;
+    return wholes;
+  auto at = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
+  at->VisitOnlyLeavesOff();
+  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
+    if (auto* whole = vtkPartitionedDataSet::SafeDownCast(at->GetCurrentDataObject()))
+      wholes.push_back({at->GetCurrentFlatIndex(), whole->GetNumberOfPartitions(), NameAt(*at)});
+  return wholes;
 }
 
 } // namespace
@@ -51,16 +56,29 @@ std::string NameOf(vtkCompositeDataSet& composite, vtkCompositeDataIterator& at)
 std::vector<DatasetLeaf> DatasetLeaves(vtkDataObject* data)
 {
   std::vector<DatasetLeaf> leaves;
-  const auto add = [&leaves](vtkDataSet* leaf, const std::string& name, unsigned int index) {
-    leaves.push_back({leaf, name.empty() ? "dataset_" + std::to_string(leaves.size()) : name, index});
+  const auto add = [&leaves](DatasetLeaf leaf) {
+    if (leaf.Name.empty())
+      leaf.Name = "dataset_" + std::to_string(leaves.size());
+    leaves.push_back(std::move(leaf));
   };
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(data)) {
-    auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-      if (auto* leaf = vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject()))
-        add(leaf, NameOf(*composite, *iterator), iterator->GetCurrentFlatIndex());
+    const std::vector<Whole> wholes = WholesOf(composite);
+    auto at = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem()) {
+      auto* data_set = vtkDataSet::SafeDownCast(at->GetCurrentDataObject());
+      if (!data_set)
+        continue;
+      DatasetLeaf leaf{data_set, NameAt(*at), at->GetCurrentFlatIndex()};
+      for (const Whole& whole : wholes)
+        if (whole.Has(leaf.Index)) {
+          leaf.IsPiece = true;
+          leaf.Whole = whole.Index;
+          leaf.Name = leaf.Name.empty() ? whole.Name : leaf.Name;
+        }
+      add(std::move(leaf));
+    }
   } else if (auto* leaf = vtkDataSet::SafeDownCast(data)) {
-    add(leaf, {}, 0);
+    add({leaf, {}});
   }
   return leaves;
 }

@@ -13,6 +13,8 @@ struct DatasetLeaf
   vtkDataSet* Data;
   std::string Name;       //!< of its block; "dataset_<k>" if it has none, k counting from 0
   unsigned int Index = 0; //!< VTK's flat index; 0 if there is only one dataset
+  bool IsPiece = false;   //!< a part of a partitioned dataset, the flat index of which is
+  unsigned int Whole = 0; //!< this one
 };
 
 //! All leaf datasets of composite data in their order, or the dataset itself.

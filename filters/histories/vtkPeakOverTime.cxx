@@ -139,10 +139,11 @@ bool vtkPeakOverTime::Add(double time, vtkDataObject* input)
                                                 << this->IdArrayName
                                                 << "', at some times and none at others, first at " << time
                                                 << " s: they cannot be followed and have no peak.");
-      for (const std::string& lost : {piece.Name, std::to_string(piece.Index)}) {
-        this->Lost.insert(lost);
-        this->Peaks.erase(lost);
-      }
+      for (const std::string& lost : {"of " + std::to_string(piece.Whole), std::to_string(piece.Index)})
+        if (piece.IsPiece || lost == std::to_string(piece.Index)) {
+          this->Lost.insert(lost);
+          this->Peaks.erase(lost);
+        }
       continue;
     }
     auto& peaks = this->Peaks[key];
@@ -167,12 +168,12 @@ std::string vtkPeakOverTime::ResultName() const
          (this->ComponentName.empty() ? "" : "_" + this->ComponentName);
 }
 
-// Points with numbers of their own may go from one piece of a block to another, as partitions do; others may not.
+// Points with numbers of their own may go from one piece of a partitioned dataset to another; nothing else may.
 std::string vtkPeakOverTime::KeyOf(const DatasetLeaf& piece) const
 {
   bool onPoints = false;
   const bool numbered = this->ArrayOf(piece.Data, onPoints) && this->IdsOf(piece.Data, onPoints);
-  return numbered ? piece.Name : std::to_string(piece.Index);
+  return numbered && piece.IsPiece ? "of " + std::to_string(piece.Whole) : std::to_string(piece.Index);
 }
 
 void vtkPeakOverTime::Put(const DatasetLeaf& piece) const

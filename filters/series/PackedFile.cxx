@@ -157,7 +157,8 @@ PackedFile::PackedFile(std::string file) : Name(std::move(file)), In(this->Name,
     text << this->Name << ": " << this->FrameTimes.size() << " frames, up to " << this->FrameTimes.back()
          << " s, are whole; "
          << (damaged ? "the file is damaged after them, and its last " + rest + " cannot be read"
-                     : "the run was ended while it wrote the next, of which there are " + rest);
+                     : "the next is being written, or the run was ended while it wrote it: there are " +
+                           rest + " of it");
     this->Rest = text.str();
   }
   this->First = ReadFirstFrame(this->Unpack(0));

@@ -289,7 +289,8 @@ TEST_CASE("a file that is cut anywhere opens with its whole frames", "[packed]")
     PackedFile file(cut);
     REQUIRE(file.Times().size() == frames);
     CHECK(file.Complaint().empty() == (size == ends[frames - 1]));
-    CHECK((size == ends[frames - 1] || file.Complaint().find("ended while it wrote") != std::string::npos));
+    CHECK(
+        (size == ends[frames - 1] || file.Complaint().find("ended while it wrote it") != std::string::npos));
     CHECK(file.Read(frames - 1)[0].second->GetNumberOfPoints() == bird_at(0)->GetNumberOfPoints());
   }
 }

@@ -305,3 +305,35 @@ TEST_CASE("numbers that come and go are a warning, and no peaks", "[filters][pea
   CHECK_FALSE(run.at(1)->GetPointData()->HasArray("peak_pressure"));
   CHECK_THAT(run.errors->first(), Contains("at some times and none at others, first at 1 s"));
 }
+
+TEST_CASE("two birds of one name, side by side, keep their own peaks", "[filters][peak]")
+{
+  Run run({0, 1}, [](double t) {
+    const auto of = [t](double factor) {
+      auto inner = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+      auto data = made_particles({factor * (2 - t), factor * (1 + t)}, {});
+      vtkNew<vtkIntArray> numbers;
+      numbers->SetName("id");
+      numbers->InsertNextValue(4);
+      numbers->InsertNextValue(7);
+      data->GetPointData()->AddArray(numbers);
+      inner->SetBlock(0, data);
+      inner->GetMetaData(0u)->Set(vtkCompositeDataSet::NAME(), "bird");
+      return inner;
+    };
+    auto both = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+    both->SetBlock(0, of(1));
+    both->SetBlock(1, of(10));
+    return both;
+  });
+  run.at(1);
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(run.filter->GetOutputDataObject(0));
+  REQUIRE(output);
+  for (unsigned int k = 0; k < 2; ++k) {
+    auto* inner = vtkMultiBlockDataSet::SafeDownCast(output->GetBlock(k));
+    REQUIRE(inner);
+    const double factor = k == 0 ? 1 : 10;
+    CHECK(values(vtkDataSet::SafeDownCast(inner->GetBlock(0)), "peak_pressure") ==
+          std::vector<double>{2 * factor, 2 * factor});
+  }
+}

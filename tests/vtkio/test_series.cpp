@@ -149,23 +149,26 @@ TEST_CASE("very many frames are listed some together, and all at the end", "[ser
   TemporaryFolder folder;
   SeriesOptions few;
   few.fields = {"pressure"};
-  std::size_t listed = 0, rewritten = 0;
+  constexpr std::size_t written = 2104;
+  std::size_t behind = 0;
   {
     SeriesWriter writer(folder.path, few);
     const auto bird = particles_to_vtk(made_bird(0.1), 0);
-    for (std::size_t k = 0; k < 2105; ++k) {
+    for (std::size_t k = 1; k <= written; ++k) {
       writer.write_frame(1e-6 * static_cast<double>(k), *bird);
-      if (k < 1000 || k % 100 != 0)
+      if (k < 990 || (k > 1010 && k < written - 10))
         continue;
-      const std::size_t now = read_series_index(writer.path()).steps.size();
-      rewritten += now != listed;
-      listed = now;
-      CHECK(now + 2 >= k + 1);
-      CHECK(now <= k + 1);
+      const std::size_t listed = read_series_index(writer.path()).steps.size();
+      CHECK(listed <= k);
+      CHECK(listed + k / 1000 >= k);
+      if (k <= 1000)
+        CHECK(listed == k);
+      behind += listed < k;
     }
+    REQUIRE(read_series_index(writer.path()).steps.size() < written); // else the rest would be no test
   }
-  CHECK(rewritten > 5);
-  CHECK(read_series_index(folder.path / "run.pvd").steps.size() == 2105);
+  CHECK(behind > 5);
+  CHECK(read_series_index(folder.path / "run.pvd").steps.size() == written);
 }
 
 TEST_CASE("what is discarded leaves no series", "[series]")
