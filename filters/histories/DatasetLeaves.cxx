@@ -11,7 +11,9 @@
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 
@@ -19,14 +21,31 @@
 
 namespace {
 
-// A partitioned dataset in a tree: its pieces have the flat indices that follow its own.
-struct Whole
+// A composite in a tree: what it holds has the flat indices that follow its own.
+struct Composite
 {
-  unsigned int Index, Pieces;
+  unsigned int Index, Last;
+  bool Partitioned;
   std::string Name;
 
-  bool Has(unsigned int leaf) const { return leaf > this->Index && leaf <= this->Index + this->Pieces; }
+  bool Has(unsigned int leaf) const { return leaf > this->Index && leaf <= this->Last; }
 };
+
+// How many flat indices a node of a tree takes, those of its empty children, too.
+unsigned int SpanOf(vtkDataObject* node)
+{
+  unsigned int span = 1;
+  if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(node)) {
+    for (unsigned int k = 0; k < blocks->GetNumberOfBlocks(); ++k)
+      span += SpanOf(blocks->GetBlock(k));
+  } else if (auto* wholes = vtkPartitionedDataSetCollection::SafeDownCast(node)) {
+    for (unsigned int k = 0; k < wholes->GetNumberOfPartitionedDataSets(); ++k)
+      span += SpanOf(wholes->GetPartitionedDataSet(k));
+  } else if (auto* whole = vtkPartitionedDataSet::SafeDownCast(node)) {
+    span += whole->GetNumberOfPartitions();
+  }
+  return span;
+}
 
 std::string NameAt(vtkCompositeDataIterator& at)
 {
@@ -35,20 +54,23 @@ std::string NameAt(vtkCompositeDataIterator& at)
   return name ? name : "";
 }
 
-std::vector<Whole> WholesOf(vtkCompositeDataSet* data)
+// From the outside in.
+std::vector<Composite> CompositesOf(vtkCompositeDataSet* data)
 {
-  std::vector<Whole> wholes;
-  if (auto* root = vtkPartitionedDataSet::SafeDownCast(data))
-    wholes.push_back({0, root->GetNumberOfPartitions(), {}});
-  auto* tree = vtkDataObjectTree::SafeDownCast(data);
-  if (!tree)
-    return wholes;
-  auto at = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
-  at->VisitOnlyLeavesOff();
-  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
-    if (auto* whole = vtkPartitionedDataSet::SafeDownCast(at->GetCurrentDataObject()))
-      wholes.push_back({at->GetCurrentFlatIndex(), whole->GetNumberOfPartitions(), NameAt(*at)});
-  return wholes;
+  std::vector<Composite> all;
+  const auto add = [&all](vtkDataObject* node, unsigned int index, const std::string& name) {
+    if (vtkCompositeDataSet::SafeDownCast(node))
+      all.push_back(
+          {index, index + SpanOf(node) - 1, vtkPartitionedDataSet::SafeDownCast(node) != nullptr, name});
+  };
+  add(data, 0, {});
+  if (auto* tree = vtkDataObjectTree::SafeDownCast(data)) {
+    auto at = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
+    at->VisitOnlyLeavesOff();
+    for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
+      add(at->GetCurrentDataObject(), at->GetCurrentFlatIndex(), NameAt(*at));
+  }
+  return all;
 }
 
 } // namespace
@@ -62,19 +84,21 @@ std::vector<DatasetLeaf> DatasetLeaves(vtkDataObject* data)
     leaves.push_back(std::move(leaf));
   };
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(data)) {
-    const std::vector<Whole> wholes = WholesOf(composite);
+    const std::vector<Composite> composites = CompositesOf(composite);
     auto at = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
     for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem()) {
       auto* data_set = vtkDataSet::SafeDownCast(at->GetCurrentDataObject());
       if (!data_set)
         continue;
-      DatasetLeaf leaf{data_set, NameAt(*at), at->GetCurrentFlatIndex()};
-      for (const Whole& whole : wholes)
-        if (whole.Has(leaf.Index)) {
-          leaf.IsPiece = true;
-          leaf.Whole = whole.Index;
-          leaf.Name = leaf.Name.empty() ? whole.Name : leaf.Name;
+      DatasetLeaf leaf{data_set, {}, at->GetCurrentFlatIndex()};
+      const auto take = [&leaf](const std::string& name) { leaf.Name = name.empty() ? leaf.Name : name; };
+      for (const Composite& around : composites)
+        if (around.Has(leaf.Index)) {
+          take(around.Name);
+          leaf.IsPiece = around.Partitioned;
+          leaf.Whole = around.Index;
         }
+      take(NameAt(*at));
       add(std::move(leaf));
     }
   } else if (auto* leaf = vtkDataSet::SafeDownCast(data)) {

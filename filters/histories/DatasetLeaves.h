@@ -11,10 +11,11 @@ class vtkDataSet;
 struct DatasetLeaf
 {
   vtkDataSet* Data;
-  std::string Name;       //!< of its block; "dataset_<k>" if it has none, k counting from 0
+  std::string
+      Name; //!< of its block, or of the next around it; "dataset_<k>" if none has one, k counting from 0
   unsigned int Index = 0; //!< VTK's flat index; 0 if there is only one dataset
-  bool IsPiece = false;   //!< a part of a partitioned dataset, the flat index of which is
-  unsigned int Whole = 0; //!< this one
+  bool IsPiece = false;   //!< a part of a partitioned dataset
+  unsigned int Whole = 0; //!< flat index of the composite around it
 };
 
 //! All leaf datasets of composite data in their order, or the dataset itself.

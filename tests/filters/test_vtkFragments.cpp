@@ -349,3 +349,24 @@ TEST_CASE("an empty dataset and a rigid target are nothing to complain of", "[fi
   CHECK(result.messages.empty());
   CHECK(result.table->GetNumberOfRows() == 2);
 }
+
+TEST_CASE("a dataset without a name has that of the block around it, not of its neighbour",
+          "[filters][fragments]")
+{
+  // As ParaView reads a series of ours: named blocks, with a nameless dataset each.
+  auto run = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  for (const char* name : {"bird", "other", ""}) {
+    auto inner = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+    inner->SetNumberOfBlocks(2); // one of them empty
+    inner->SetBlock(1, to_data(made_ball(0.03, 0.01)));
+    const unsigned int k = run->GetNumberOfBlocks();
+    run->SetBlock(k, inner);
+    if (*name)
+      run->GetMetaData(k)->Set(vtkCompositeDataSet::NAME(), name);
+  }
+  const Result result = fragments_of(run);
+  REQUIRE(result.table->GetNumberOfRows() == 3);
+  CHECK(result.table->GetValueByName(0, "dataset").ToString() == "bird");
+  CHECK(result.table->GetValueByName(1, "dataset").ToString() == "other");
+  CHECK(result.table->GetValueByName(2, "dataset").ToString() == "dataset_2");
+}
