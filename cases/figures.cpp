@@ -22,7 +22,6 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace fs = std::filesystem;
 
